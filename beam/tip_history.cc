@@ -1,0 +1,1 @@
+#include "beam/tip_history.h"

@@ -1,0 +1,12 @@
+include(CMakePackageConfigHelpers)
+install(TARGETS zona_mpm zona_beam zona_coupling zona_compiler EXPORT zona
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(module mpm beam coupling)
+  install(DIRECTORY ${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zona FILES_MATCHING PATTERN "*.h")
+endforeach()
+install(EXPORT zona NAMESPACE zona:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zona)
+configure_package_config_file(cmake/zonaConfig.cmake.in ${CMAKE_BINARY_DIR}/zonaConfig.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zona)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/zonaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/zonaConfig.cmake ${CMAKE_BINARY_DIR}/zonaConfigVersion.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zona)
