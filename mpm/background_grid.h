@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "mpm/lanes.h"
+
+namespace zona::mpm {
+
+/// What happens at a face of the grid.
+enum class FaceCondition {
+  free,       ///< no traction
+  roller,     ///< normal velocity held at zero
+  fixed,      ///< velocity held at zero
+  absorbing,  ///< viscous tractions swallow outgoing waves (5.43)-(5.55)
+};
+
+/// Conditions on the six faces: x low, x high, y low, y high, z low, z high.
+using FaceConditions = std::array<FaceCondition, 6>;
+
+/// A cuboid of up to `edge`^3 cells: what one thread works on at a time. Bricks of one colour share
+/// no node, so threads scatter to the grid without atomics, and every sum is added in one order.
+struct Brick {
+  static constexpr int edge = 4;
+  static constexpr int cell_count = edge * edge * edge;
+  std::array<int, 3> first_cell;  ///< lowest cell indices
+  std::array<int, 3> size;        ///< cells along each axis, at most `edge`
+};
+
+/// The Eulerian background grid of section 3.2: cuboid cells with eight nodes each.
+///
+/// A node holds eight numbers, one cache line: mass, momentum (3), force (3), unused. Once the momentum
+/// is advanced they are mass, velocity at k+1, acceleration. Node n of a cell lies at the corner
+/// whose x, y, z offsets are the bits 0, 1, 2 of n.
+class BackgroundGrid {
+ public:
+  /// `origin` is the lowest corner [m], `cell_size` the cell's edges [m]. Throws ModelError for an
+  /// empty grid or a cell size that is not positive.
+  BackgroundGrid(const Eigen::Vector3d& origin, const Eigen::Vector3d& cell_size,
+                 const std::array<int, 3>& cells);
+
+  const Eigen::Vector3d& origin() const { return origin_; }
+  const Eigen::Vector3d& cell_size() const { return cell_size_; }
+  const std::array<int, 3>& cells() const { return cells_; }
+  const std::array<int, 3>& nodes_along() const { return nodes_along_; }
+  Eigen::Vector3d upper_corner() const;
+  double cell_volume() const { return cell_size_.prod(); }
+  /// Characteristic length of a cell [m] (4.46).
+  double characteristic_length() const { return std::cbrt(cell_volume()); }
+  std::size_t node_count() const { return state.size(); }
+
+  const std::vector<Brick>& bricks() const { return bricks_; }
+  /// Bricks that share no node with one another, for each of the eight colours.
+  const std::array<std::vector<int>, 8>& bricks_by_colour() const { return by_colour_; }
+
+  /// The cell that contains a place, or negative indices where the place is outside (or not finite).
+  std::array<int, 3> cell_at(double x, double y, double z) const;
+  int brick_of(const std::array<int, 3>& cell) const;
+  static int cell_in_brick(const std::array<int, 3>& cell);
+
+  int node_index(int i, int j, int k) const {
+    return (k * nodes_along_[1] + j) * nodes_along_[0] + i;
+  }
+  /// Offsets of a cell's eight nodes from its lowest one.
+  const std::array<int, 8>& node_offsets() const { return node_offsets_; }
+
+  void clear();
+
+  std::vector<Lanes, AlignedAllocator<Lanes>> state;  ///< of each node, see above
+  std::vector<HalfLanes, AlignedAllocator<HalfLanes>>
+      updated;  ///< momentum, then velocity, mapped back from the points (3.38)-(3.39)
+
+ private:
+  Eigen::Vector3d origin_;
+  Eigen::Vector3d cell_size_;
+  std::array<int, 3> cells_;
+  std::array<int, 3> nodes_along_;
+  std::array<int, 3> bricks_along_;
+  std::array<int, 8> node_offsets_;
+  std::vector<Brick> bricks_;
+  std::array<std::vector<int>, 8> by_colour_;
+};
+
+}  // namespace zona::mpm

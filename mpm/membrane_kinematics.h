@@ -1,0 +1,78 @@
+#pragma once
+
+#include <variant>
+
+#include "mpm/membrane_law.h"
+#include "mpm/surface.h"
+#include "mpm/velocity_gradient.h"
+
+namespace zona::mpm {
+
+/// In-plane strain of eight membrane points and the directions in space that its axes have now.
+struct LocalStrain {
+  InPlane strain;  ///< [-]
+  VectorLanes x;   ///< local x' (unit vector)
+  VectorLanes y;   ///< local y'
+};
+
+/// Kinematics of the source (4.4)-(4.21): the strain from the grid is summed in the fixed axes and seen
+/// in a local frame that the rotation S between successive point normals carries along.
+/// Not objective: an out-of-plane slope s appears as a tangential strain s^2/(1 + s^2).
+class SummedStrainKinematics {
+ public:
+  static constexpr bool uses_grid_strain = true;
+
+  SummedStrainKinematics(const MaterialPoints& points, Surface& surface);
+
+  /// Adds a step's strain increments (4.4).
+  void accumulate(const PointGroup& group, const VelocityGradient& gradient, double dt);
+  /// Turns the local frames to the normals of the given positions (4.12)-(4.21).
+  void follow(const std::array<Field, 3>& position, Surface& surface, int threads);
+  /// (4.10)
+  LocalStrain local_strain(const PointGroup& group) const;
+  void forget_failed(int, const std::vector<int>&, const Surface&) {}
+  template <class F>
+  void for_each_field(F f) {
+    for (auto& c : total_strain_) f(c);
+    for (auto& c : normal_) f(c);
+    for (auto& c : tangent_) f(c);
+  }
+
+ private:
+  SymmetricTensorField total_strain_;   ///< in the fixed axes [-]
+  std::array<Field, 3> normal_;         ///< z'
+  std::array<Field, 3> tangent_;        ///< x'
+  std::array<Field, 3> next_normal_;
+};
+
+/// Objective kinematics: the deformation gradient of the intact triangles around a point (area
+/// weighted), and the Biot strain U - I, whose principal values are the stretches less one, the
+/// measure of (5.56). Rigid motions give exactly no strain.
+class DeformationGradientKinematics {
+ public:
+  static constexpr bool uses_grid_strain = false;
+
+  DeformationGradientKinematics(const MaterialPoints& points, const Surface& surface);
+
+  void accumulate(const PointGroup&, const VelocityGradient&, double) {}
+  void follow(const std::array<Field, 3>& position, Surface& surface, int threads);
+  LocalStrain local_strain(const PointGroup& group) const;
+  /// Rebuilds the gradients of `neighbours` from the triangles that are still intact.
+  void forget_failed(int point, const std::vector<int>& neighbours, const Surface& surface);
+  /// State that changes: none, everything follows from the positions and the intact triangles.
+  template <class F>
+  void for_each_field(F) {}
+
+ private:
+  void build_weights(int point, const Surface& surface);
+
+  std::vector<Eigen::Vector3d> reference_;     ///< initial positions [m]
+  std::vector<int> first_neighbour_;           ///< where each point's neighbours start
+  std::vector<int> neighbour_;
+  std::vector<std::array<double, 2>> weight_;  ///< F = sum over neighbours (x_n - x_p) (x) weight [1/m]
+  std::array<Field, 6> gradient_;              ///< F, columns x' and y': 3 + 3 components [-]
+};
+
+using MembraneKinematics = std::variant<SummedStrainKinematics, DeformationGradientKinematics>;
+
+}  // namespace zona::mpm

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "mpm/shape_functions.h"
+#include "mpm/velocity_gradient.h"
+
+namespace zona::mpm {
+
+/// Speeds at which absorbing tractions act on the points of a boundary cell, divided by the thickness of
+/// the boundary layer (5.52)-(5.55): force = -mass * rate * velocity, per axis [1/s].
+using AbsorptionRate = std::array<double, 3>;
+
+/// Sums over the points of a cell that go to its eight nodes, in registers.
+struct NodalSums {
+  Lanes mass{};
+  Lanes momentum[3]{};
+  Lanes external[3]{};
+  Lanes force_x[3]{};  ///< stress terms with dN/dxi: still to be multiplied by the node's sign
+  Lanes force_y[3]{};  ///< with dN/deta
+  Lanes force_z[3]{};  ///< with dN/dzeta
+
+  /// Nodes' rows of mass, momentum, force.
+  void rows(Lanes (&row)[8]) const {
+    row[0] = mass;
+    for (int i = 0; i < 3; ++i) {
+      row[1 + i] = momentum[i];
+      row[4 + i] = external[i] + trilinear::sign_x * force_x[i] + trilinear::sign_y * force_y[i] +
+                   trilinear::sign_z * force_z[i];
+    }
+    row[7] = Lanes{};
+    transpose(row);
+  }
+};
+
+/// What a group of points brings to the nodes, one row per quantity, a column per point.
+struct PointLoads {
+  alignas(64) double natural[3][lane_count];
+  alignas(64) double mass[lane_count];
+  alignas(64) double momentum[3][lane_count];
+  alignas(64) double external[3][lane_count];
+  alignas(64) double stress[3][3][lane_count];  ///< -volume sigma_ij / cell size_j [N]
+};
+
+template <class Material>
+inline void load_stress(const Material& material, const PointGroup& group, const Cell& cell,
+                        const Lanes& mass, PointLoads& loads) {
+  const Lanes volume = material.volume(group, mass);
+  const SymmetricTensorLanes sigma = group.load(material.stress);
+  constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+  for (int j = 0; j < 3; ++j) {
+    const Lanes scale = -cell.inverse[j] * volume;
+    for (int i = 0; i < 3; ++i) store(loads.stress[i][j], sigma[component[i][j]] * scale);
+  }
+}
+
+/// Adds mass (3.30), momentum (3.31) and internal force (3.32) of a group of points; with `Absorbing`
+/// also the tractions of (5.53)-(5.55).
+template <bool Absorbing, class Material>
+inline void add_points(const Material& material, const MaterialPoints& points,
+                       const PointGroup& group, const Cell& cell, const AbsorptionRate& rate,
+                       NodalSums& sums) {
+  PointLoads loads;
+  const auto natural = cell.natural(group.load(points.position));
+  const Lanes mass = group.load(points.mass);
+  store(loads.mass, mass);
+  for (int i = 0; i < 3; ++i) {
+    const Lanes momentum = mass * group.load(points.velocity[i]);
+    store(loads.natural[i], natural[i]);
+    store(loads.momentum[i], momentum);
+    if constexpr (Absorbing) store(loads.external[i], -rate[i] * momentum);
+  }
+  if constexpr (Material::has_stress) load_stress(material, group, cell, mass, loads);
+
+  for (int p = 0; p < group.count(); ++p) {
+    const auto n =
+        trilinear::factors(loads.natural[0][p], loads.natural[1][p], loads.natural[2][p]);
+    const Lanes yz = n.y * n.z;
+    const Lanes shape = n.x * yz;
+    sums.mass += loads.mass[p] * shape;
+    for (int i = 0; i < 3; ++i) sums.momentum[i] += loads.momentum[i][p] * shape;
+    if constexpr (Absorbing) {
+      for (int i = 0; i < 3; ++i) sums.external[i] += loads.external[i][p] * shape;
+    }
+    if constexpr (Material::has_stress) {
+      const Lanes xz = n.x * n.z;
+      const Lanes xy = n.x * n.y;
+      for (int i = 0; i < 3; ++i) {
+        sums.force_x[i] += loads.stress[i][0][p] * yz;
+        sums.force_y[i] += loads.stress[i][1][p] * xz;
+        sums.force_z[i] += loads.stress[i][2][p] * xy;
+      }
+    }
+  }
+}
+
+/// Scatters the points of one cell to its nodes.
+template <class Material>
+inline void scatter_cell(const Material& material, const MaterialPoints& points, const Cell& cell,
+                         const int* begin, const int* end, const AbsorptionRate* absorption,
+                         BackgroundGrid& grid) {
+  NodalSums sums;
+  for_each_group(begin, end, [&](const PointGroup& group) {
+    if (absorption) {
+      add_points<true>(material, points, group, cell, *absorption, sums);
+    } else {
+      add_points<false>(material, points, group, cell, {}, sums);
+    }
+  });
+  Lanes row[8];
+  sums.rows(row);
+  for (int n = 0; n < 8; ++n) grid.state[cell.first_node + grid.node_offsets()[n]] += row[n];
+}
+
+}  // namespace zona::mpm

@@ -1,0 +1,264 @@
+#include "mpm/solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mpm/errors.h"
+#include "mpm/gather.h"
+#include "mpm/scatter.h"
+
+namespace zona::mpm {
+
+namespace {
+
+/// Steps between two re-orderings of the storage; points cross a cell in thousands of steps.
+constexpr long reorder_interval = 200;
+/// Nodes lighter than this [kg] are not solved (section 3.2).
+constexpr double smallest_nodal_mass = 1e-30;
+
+}  // namespace
+
+Solver::Solver(Model model, double step, int threads)
+    : model_(std::move(model)), dt_(step), threads_(threads), driven_nodes_(model_.bodies.size()) {
+  const CriticalStep critical = critical_step(model_.grid, model_.bodies);
+  if (!(step > 0)) throw ModelError(fmt::format("the time step must be positive, got {} s", step));
+  if (step > critical.seconds) {
+    throw ModelError(fmt::format("a step of {:.4g} s is above the critical step of {:.4g} s: in '{}', {}",
+                                 step, critical.seconds, critical.body, critical.reason));
+  }
+  if (threads < 1) throw ModelError(fmt::format("at least one thread is needed, got {}", threads));
+  for (auto& body : model_.bodies) {
+    const int outside = body.cells.build(model_.grid, body.points.position);
+    if (outside >= 0) fail_at(body, outside, "a point lies outside the grid");
+    body.reorder_as_walked();
+    if (auto* rigid = std::get_if<Prescribed>(&body.material)) {
+      const RigidState start = rigid->state(0);
+      for (int axis = 0; axis < 3; ++axis) {
+        std::fill(body.points.velocity[axis].begin(), body.points.velocity[axis].end(), start.velocity[axis]);
+      }
+      rigid->brick_impulse.resize(model_.grid.bricks().size());
+    }
+  }
+}
+
+void Solver::step() {
+  prescribe_motion();
+  scatter();                           // (3.30)-(3.32)
+  advance_momentum();                  // (3.33)
+  gather_and_map_back();               // (3.34)-(3.39)
+  apply_essential_conditions_again();
+  update_stress();                     // (3.40)-(3.42)
+  move_to_next_positions();
+  ++steps_;
+}
+
+template <class F>
+void Solver::for_coloured_bricks(F f) {
+  for (const auto& bricks : model_.grid.bricks_by_colour()) {
+    const int count = static_cast<int>(bricks.size());
+#pragma omp for schedule(dynamic, 1)
+    for (int i = 0; i < count; ++i) f(bricks[i]);
+  }
+}
+
+void Solver::prescribe_motion() {
+  for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
+    auto* rigid = std::get_if<Prescribed>(&model_.bodies[b].material);
+    if (!rigid) continue;
+    rigid->next = rigid->state((steps_ + 1) * dt_);
+    if (rigid->drive == Drive::nodes) {
+      driven_nodes_[b] = touched_nodes(model_.grid, model_.bodies[b].cells);
+    }
+  }
+}
+
+void Solver::scatter() {
+  const auto nodes = static_cast<long>(model_.grid.node_count());
+#pragma omp parallel num_threads(threads_)
+  {
+#pragma omp for schedule(static)
+    for (long n = 0; n < nodes; ++n) {
+      model_.grid.state[n] = Lanes{};
+      model_.grid.updated[n] = HalfLanes{};
+    }
+    for_coloured_bricks([this](int b) {
+      for (const auto& body : model_.bodies) {
+        if (body.cells.brick(b).empty()) continue;
+        std::visit([&](const auto& material) { scatter_brick(material, body, b); }, body.material);
+      }
+    });
+  }
+}
+
+template <class Material>
+void Solver::scatter_brick(const Material& material, const Body& body, int b) {
+  for_each_cell(model_.grid, b, body.cells.brick(b),
+                [&](const Cell& cell, const int* begin, const int* end, int) {
+                  AbsorptionRate rate;
+                  const bool absorbs =
+                      material.wave_speed() > 0 &&
+                      absorption_rate(model_.grid, model_.faces, cell.index, material.wave_speed(),
+                                      material.shear_wave_speed(), rate);
+                  scatter_cell(material, body.points, cell, begin, end, absorbs ? &rate : nullptr,
+                               model_.grid);
+                });
+}
+
+void Solver::advance_momentum() {
+  auto& grid = model_.grid;
+  const auto nodes = static_cast<long>(grid.node_count());
+  const Lanes gravity{0, 0, 0, 0, model_.gravity.x(), model_.gravity.y(), model_.gravity.z(), 0};
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (long n = 0; n < nodes; ++n) {
+    Lanes& node = grid.state[n];
+    const double mass = node[0];
+    if (!(mass > smallest_nodal_mass)) {
+      node = Lanes{};
+      continue;
+    }
+    node += mass * gravity;
+    const Lanes impulse = __builtin_shufflevector(dt_ * node, Lanes{}, 8, 4, 5, 6, 8, 8, 8, 8);
+    node = (node + impulse) * (1 / mass);
+    node[0] = mass;
+  }
+  hold_faces(grid, model_.faces);
+  for (std::size_t b = 0; b < driven_nodes_.size(); ++b) {
+    auto* rigid = std::get_if<Prescribed>(&model_.bodies[b].material);
+    if (!rigid) continue;
+    rigid->reaction = override_velocity(grid, driven_nodes_[b], rigid->next.velocity, dt_) / dt_;
+  }
+}
+
+template <class Material>
+void Solver::gather_brick(Material& material, Body& body, int b) {
+  const auto gather = [&](const auto& motion) {
+    for_each_cell(model_.grid, b, body.cells.brick(b),
+                  [&](const Cell& cell, const int* begin, const int* end, int c) {
+                    gather_cell(material, body.points, cell, begin, end, c, dt_, motion,
+                                body.cells.brick(b), model_.grid);
+                  });
+  };
+  if constexpr (std::is_same_v<Material, Prescribed>) {
+    material.brick_impulse[b].setZero();
+    gather(PrescribedMotion{material.brick_impulse[b]});
+  } else {
+    gather(FreeMotion{});
+  }
+}
+
+void Solver::gather_and_map_back() {
+#pragma omp parallel num_threads(threads_)
+  for_coloured_bricks([this](int b) {
+    for (auto& body : model_.bodies) {
+      if (body.cells.brick(b).empty()) continue;
+      std::visit([&](auto& material) { gather_brick(material, body, b); }, body.material);
+    }
+  });
+  for (auto& body : model_.bodies) {
+    auto* rigid = std::get_if<Prescribed>(&body.material);
+    if (!rigid) continue;
+    for (std::size_t b = 0; b < rigid->brick_impulse.size(); ++b) {
+      if (!body.cells.brick(static_cast<int>(b)).empty()) rigid->reaction += rigid->brick_impulse[b] / dt_;
+    }
+  }
+}
+
+void Solver::apply_essential_conditions_again() {
+  auto& grid = model_.grid;
+  const auto nodes = static_cast<long>(grid.node_count());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (long n = 0; n < nodes; ++n) {
+    const double mass = grid.state[n][0];
+    grid.updated[n] *= mass > smallest_nodal_mass ? 1 / mass : 0.0;
+  }
+  hold_updated_faces(grid, model_.faces);
+  for (std::size_t b = 0; b < driven_nodes_.size(); ++b) {
+    if (const auto* rigid = model_.bodies[b].prescribed()) {
+      override_updated_velocity(grid, driven_nodes_[b], rigid->next.velocity);
+    }
+  }
+}
+
+template <class Material>
+void Solver::update_brick(Material& material, Body& body, int b) {
+  const double length = model_.grid.characteristic_length();
+  for_each_cell(model_.grid, b, body.cells.brick(b),
+                [&](const Cell& cell, const int* begin, const int* end, int) {
+                  const CellGradient gradient(model_.grid, cell);
+                  for_each_group(begin, end, [&](const PointGroup& group) {
+                    const auto natural = cell.natural(group.load(body.points.position));
+                    const LaneMask bad = material.update(group, gradient.at(natural), dt_, length);
+                    if (!any(bad, group.count())) return;
+#pragma omp critical
+                    for (int l = 0; l < group.count(); ++l) {
+                      if (bad[l]) bad_points_.push_back({static_cast<int>(&body - model_.bodies.data()), group[l]});
+                    }
+                  });
+                });
+}
+
+void Solver::update_stress() {
+  const int bricks = static_cast<int>(model_.grid.bricks().size());
+#pragma omp parallel for num_threads(threads_) schedule(dynamic, 1)
+  for (int b = 0; b < bricks; ++b) {
+    for (auto& body : model_.bodies) {
+      if (body.cells.brick(b).empty()) continue;
+      std::visit(
+          [&](auto& material) {
+            using M = std::decay_t<decltype(material)>;
+            if constexpr (M::has_stress) update_brick(material, body, b);
+          },
+          body.material);
+    }
+  }
+  if (!bad_points_.empty()) {
+    const auto first = *std::min_element(bad_points_.begin(), bad_points_.end(), [](auto& a, auto& b) {
+      return std::pair(a.body, a.point) < std::pair(b.body, b.point);
+    });
+    fail_at(model_.bodies[first.body], first.point, "the density is not positive and finite");
+  }
+  for (auto& body : model_.bodies) {
+    if (auto* membrane = std::get_if<Membrane>(&body.material)) {
+      membrane->update_stress(body.points.next_position, (steps_ + 1) * dt_, threads_);
+    }
+  }
+}
+
+void Solver::move_to_next_positions() {
+  for (auto& body : model_.bodies) {
+    std::swap(body.points.position, body.points.next_position);
+    const int lost = body.cells.move_departed(model_.grid, body.points.position);
+    if (lost < 0) continue;
+    const bool finite = body.points.position_of(lost).allFinite();
+    fail_at(body, lost, finite ? "a point left the grid" : "a position is not finite");
+  }
+  if ((steps_ + 1) % reorder_interval == 0) store_as_walked();
+}
+
+void Solver::store_as_walked() {
+  const int bodies = static_cast<int>(model_.bodies.size());
+#pragma omp parallel for num_threads(threads_) schedule(dynamic, 1)
+  for (int b = 0; b < bodies; ++b) model_.bodies[b].reorder_as_walked();
+}
+
+long Solver::point_count() const {
+  long count = 0;
+  for (const auto& body : model_.bodies) count += body.points.size();
+  return count;
+}
+
+const Body& Solver::body(const std::string& name) const {
+  for (const auto& body : model_.bodies) {
+    if (body.name == name) return body;
+  }
+  throw ModelError(fmt::format("there is no body '{}'", name));
+}
+
+void Solver::fail_at(const Body& body, int point, const std::string& what) const {
+  throw PointError(what, body.name, body.points.id[point], body.points.position_of(point), steps_ + 1,
+                   (steps_ + 1) * dt_);
+}
+
+}  // namespace zona::mpm

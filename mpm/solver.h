@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mpm/boundary.h"
+#include "mpm/critical_step.h"
+
+namespace zona::mpm {
+
+/// Everything a simulation starts from.
+struct Model {
+  BackgroundGrid grid;
+  std::vector<Body> bodies;
+  FaceConditions faces{};  ///< all free
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
+};
+
+/// Explicit material point method, MUSL variant, the algorithm of section 3.2.
+///
+/// Results are the same to the last bit for any number of threads: bricks of one colour share no node,
+/// and every sum over points or bricks is taken in one order.
+class Solver {
+ public:
+  /// `step` in seconds; refused when it is above the critical step. Throws ModelError, and PointError
+  /// for points outside the grid.
+  Solver(Model model, double step, int threads = 1);
+
+  void step();
+
+  double time() const { return steps_ * dt_; }
+  double step_size() const { return dt_; }
+  long steps() const { return steps_; }
+  int threads() const { return threads_; }
+  long point_count() const;
+  const BackgroundGrid& grid() const { return model_.grid; }
+  const std::vector<Body>& bodies() const { return model_.bodies; }
+  const FaceConditions& faces() const { return model_.faces; }
+  const Body& body(const std::string& name) const;
+
+ private:
+  void prescribe_motion();
+  void scatter();
+  void advance_momentum();
+  void gather_and_map_back();
+  void apply_essential_conditions_again();
+  void update_stress();
+  void move_to_next_positions();
+  void store_as_walked();
+
+  /// f(brick) for all bricks, colour by colour, in parallel within a colour.
+  template <class F>
+  void for_coloured_bricks(F f);
+  template <class Material>
+  void scatter_brick(const Material& material, const Body& body, int b);
+  template <class Material>
+  void gather_brick(Material& material, Body& body, int b);
+  template <class Material>
+  void update_brick(Material& material, Body& body, int b);
+  [[noreturn]] void fail_at(const Body& body, int point, const std::string& what) const;
+
+  Model model_;
+  double dt_;
+  int threads_;
+  long steps_ = 0;
+  std::vector<std::vector<int>> driven_nodes_;  ///< per body, of those that drive nodes
+  struct BadPoint {
+    int body;
+    int point;
+  };
+  std::vector<BadPoint> bad_points_;
+};
+
+}  // namespace zona::mpm

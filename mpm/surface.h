@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "mpm/material_points.h"
+
+namespace zona::mpm {
+
+using Triangle = std::array<int, 3>;
+
+/// Lanes of a 3-vector.
+using VectorLanes = std::array<Lanes, 3>;
+
+inline Lanes dot(const VectorLanes& a, const VectorLanes& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline VectorLanes cross(const VectorLanes& a, const VectorLanes& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline VectorLanes scaled(const VectorLanes& a, const Lanes& s) {
+  return {a[0] * s, a[1] * s, a[2] * s};
+}
+
+/// A triangulated surface whose vertices are the points of a membrane (4.1). Triangles are ordered by
+/// the right-hand rule: their normals point outward. A triangle with a failed vertex is dropped.
+class Surface {
+ public:
+  /// Throws ModelError for vertices out of range, degenerate triangles or points in no triangle.
+  Surface(std::vector<Triangle> triangles, const std::vector<Eigen::Vector3d>& places);
+
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  bool intact(int triangle) const { return intact_[triangle] != 0; }
+  /// Triangles around a point: indices into triangles().
+  const int* triangles_begin(int point) const { return &around_[first_around_[point]]; }
+  const int* triangles_end(int point) const { return around_.data() + first_around_[point + 1]; }
+  /// Longest edge of the given configuration [m].
+  double longest_edge(const std::array<Field, 3>& position) const;
+  /// A third of the area of the triangles around each point [m^2].
+  std::vector<double> areas(const std::array<Field, 3>& position) const;
+
+  /// Takes the triangles around a failed point out. Returns the other vertices of those triangles.
+  std::vector<int> drop_triangles_of(int point);
+
+  /// Point normals (4.12) at the given positions, by `threads` threads. A point without intact
+  /// triangles keeps what `normal` holds.
+  void point_normals(const std::array<Field, 3>& position, std::array<Field, 3>& normal,
+                     int threads);
+
+ private:
+  std::vector<Triangle> triangles_;
+  std::vector<char> intact_;
+  std::vector<int> first_around_;
+  std::vector<int> around_;
+  std::vector<std::array<double, 3>> triangle_normal_;
+};
+
+}  // namespace zona::mpm

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+#include "mpm/material_points.h"
+
+namespace zona::mpm {
+
+/// dv_i/dx_j [1/s] of eight points: `gradient[i][j]`.
+using VelocityGradient = std::array<std::array<Lanes, 3>, 3>;
+
+/// Rate of strain (3.3) [1/s], tensor components xx yy zz xy yz zx.
+inline SymmetricTensorLanes strain_rate(const VelocityGradient& l) {
+  return {l[0][0],
+          l[1][1],
+          l[2][2],
+          0.5 * (l[0][1] + l[1][0]),
+          0.5 * (l[1][2] + l[2][1]),
+          0.5 * (l[2][0] + l[0][2])};
+}
+
+inline Lanes trace(const SymmetricTensorLanes& a) { return a[0] + a[1] + a[2]; }
+
+/// a : b
+inline Lanes contract(const SymmetricTensorLanes& a, const SymmetricTensorLanes& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
+         2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+}
+
+}  // namespace zona::mpm
