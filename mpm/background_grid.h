@@ -28,11 +28,14 @@ struct Brick {
   std::array<int, 3> size;        ///< cells along each axis, at most `edge`
 };
 
+/// Nodes lighter than this [kg] are not solved (section 3.2).
+inline constexpr double smallest_nodal_mass = 1e-30;
+
 /// The Eulerian background grid of section 3.2: cuboid cells with eight nodes each.
 ///
-/// A node holds eight numbers, one cache line: mass, momentum (3), force (3), unused. Once the momentum
-/// is advanced they are mass, velocity at k+1, acceleration. Node n of a cell lies at the corner
-/// whose x, y, z offsets are the bits 0, 1, 2 of n.
+/// A node holds eight numbers, one cache line: mass, momentum (3), force (3), mass times wave speed.
+/// Once the momentum is advanced they are mass, velocity at k+1 (3), acceleration (3). Node n of a
+/// cell lies at the corner whose x, y, z offsets are the bits 0, 1, 2 of n.
 class BackgroundGrid {
  public:
   /// `origin` is the lowest corner [m], `cell_size` the cell's edges [m]. Throws ModelError for an
@@ -69,7 +72,8 @@ class BackgroundGrid {
 
   std::vector<Lanes, AlignedAllocator<Lanes>> state;  ///< of each node, see above
   std::vector<HalfLanes, AlignedAllocator<HalfLanes>>
-      updated;  ///< momentum, then velocity, mapped back from the points (3.38)-(3.39)
+      updated;  ///< momentum, then velocity, mapped back from the points (3.38)-(3.39); [3]: mass times
+                ///< shear wave speed
 
  private:
   Eigen::Vector3d origin_;

@@ -2,25 +2,33 @@
 
 #include <algorithm>
 
+#include "mpm/shape_functions.h"
+
 namespace zona::mpm {
 
 namespace {
 
+/// Calls f(node) for the nodes of a face.
+template <class F>
+void for_each_node(const BackgroundGrid& grid, int face, F f) {
+  const auto& n = grid.nodes_along();
+  const int normal = face / 2;
+  const int u = (normal + 1) % 3;
+  const int w = (normal + 2) % 3;
+  std::array<int, 3> at{};
+  at[normal] = face % 2 == 0 ? 0 : n[normal] - 1;
+  for (at[u] = 0; at[u] < n[u]; ++at[u]) {
+    for (at[w] = 0; at[w] < n[w]; ++at[w]) f(grid.node_index(at[0], at[1], at[2]));
+  }
+}
+
 /// Calls f(node, axis) for every velocity component that the faces hold.
 template <class F>
 void for_each_held(const BackgroundGrid& grid, const FaceConditions& faces, F f) {
-  const auto& n = grid.nodes_along();
   for (int face = 0; face < 6; ++face) {
-    const int normal = face / 2;
-    const int u = (normal + 1) % 3;
-    const int w = (normal + 2) % 3;
-    std::array<int, 3> at{};
-    at[normal] = face % 2 == 0 ? 0 : n[normal] - 1;
     for (int axis = 0; axis < 3; ++axis) {
-      if (!holds(faces[face], normal, axis)) continue;
-      for (at[u] = 0; at[u] < n[u]; ++at[u]) {
-        for (at[w] = 0; at[w] < n[w]; ++at[w]) f(grid.node_index(at[0], at[1], at[2]), axis);
-      }
+      if (!holds(faces[face], face / 2, axis)) continue;
+      for_each_node(grid, face, [&](int node) { f(node, axis); });
     }
   }
 }
@@ -43,21 +51,20 @@ void hold_updated_faces(BackgroundGrid& grid, const FaceConditions& faces) {
   for_each_held(grid, faces, [&](int node, int axis) { grid.updated[node][axis] = 0; });
 }
 
-bool absorption_rate(const BackgroundGrid& grid, const FaceConditions& faces,
-                     const std::array<int, 3>& index, double wave_speed, double shear_wave_speed,
-                     AbsorptionRate& rate) {
-  rate = {0, 0, 0};
-  bool absorbs = false;
+void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces) {
   for (int face = 0; face < 6; ++face) {
+    if (faces[face] != FaceCondition::absorbing) continue;
     const int normal = face / 2;
-    const int last = face % 2 == 0 ? 0 : grid.cells()[normal] - 1;
-    if (faces[face] != FaceCondition::absorbing || index[normal] != last) continue;
-    absorbs = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      rate[axis] += (axis == normal ? wave_speed : shear_wave_speed) / grid.cell_size()[normal];
-    }
+    const double per_length = 2 / grid.cell_size()[normal];
+    for_each_node(grid, face, [&](int node) {
+      Lanes& state = grid.state[node];
+      if (!(state[0] > smallest_nodal_mass)) return;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double mass_speed = axis == normal ? state[7] : grid.updated[node][3];
+        state[4 + axis] -= per_length * mass_speed * state[1 + axis] / state[0];
+      }
+    });
   }
-  return absorbs;
 }
 
 std::vector<int> touched_nodes(const BackgroundGrid& grid, const CellIndex& cells) {

@@ -2,7 +2,6 @@
 
 #include "mpm/background_grid.h"
 #include "mpm/body.h"
-#include "mpm/scatter.h"
 
 namespace zona::mpm {
 
@@ -15,11 +14,13 @@ void hold_faces(BackgroundGrid& grid, const FaceConditions& faces);
 /// The same for the velocities mapped back from the points.
 void hold_updated_faces(BackgroundGrid& grid, const FaceConditions& faces);
 
-/// Absorption rates (5.43)-(5.55) in the cell `index` for waves of the given speeds [m/s]; false where
-/// no absorbing face bounds the cell.
-bool absorption_rate(const BackgroundGrid& grid, const FaceConditions& faces,
-                     const std::array<int, 3>& index, double wave_speed, double shear_wave_speed,
-                     AbsorptionRate& rate);
+/// Viscous tractions -rho c v (5.43)-(5.50) on the nodes of absorbing faces, normal to the face with the
+/// primary and along it with the secondary wave speed of what touches the node.
+///
+/// The source lets the points of the outermost layer act, (5.52)-(5.55), which puts half of the traction
+/// one cell inside and takes the velocity half a cell away: it sends back a fraction of order k h. On the
+/// face itself, where rho dS is 2 m_i / h for the lumped mass m_i, it is of order (k h)^2.
+void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces);
 
 /// Nodes that the points of a body touch, each once, in ascending order.
 std::vector<int> touched_nodes(const BackgroundGrid& grid, const CellIndex& cells);

@@ -5,28 +5,23 @@
 
 namespace zona::mpm {
 
-/// Speeds at which absorbing tractions act on the points of a boundary cell, divided by the thickness of
-/// the boundary layer (5.52)-(5.55): force = -mass * rate * velocity, per axis [1/s].
-using AbsorptionRate = std::array<double, 3>;
-
 /// Sums over the points of a cell that go to its eight nodes, in registers.
 struct NodalSums {
   Lanes mass{};
   Lanes momentum[3]{};
-  Lanes external[3]{};
   Lanes force_x[3]{};  ///< stress terms with dN/dxi: still to be multiplied by the node's sign
   Lanes force_y[3]{};  ///< with dN/deta
   Lanes force_z[3]{};  ///< with dN/dzeta
 
-  /// Nodes' rows of mass, momentum, force.
-  void rows(Lanes (&row)[8]) const {
+  /// Nodes' rows of mass, momentum, force, and mass times `wave_speed`.
+  void rows(double wave_speed, Lanes (&row)[8]) const {
     row[0] = mass;
     for (int i = 0; i < 3; ++i) {
       row[1 + i] = momentum[i];
-      row[4 + i] = external[i] + trilinear::sign_x * force_x[i] + trilinear::sign_y * force_y[i] +
+      row[4 + i] = trilinear::sign_x * force_x[i] + trilinear::sign_y * force_y[i] +
                    trilinear::sign_z * force_z[i];
     }
-    row[7] = Lanes{};
+    row[7] = wave_speed * mass;
     transpose(row);
   }
 };
@@ -36,7 +31,6 @@ struct PointLoads {
   alignas(64) double natural[3][lane_count];
   alignas(64) double mass[lane_count];
   alignas(64) double momentum[3][lane_count];
-  alignas(64) double external[3][lane_count];
   alignas(64) double stress[3][3][lane_count];  ///< -volume sigma_ij / cell size_j [N]
 };
 
@@ -52,21 +46,17 @@ inline void load_stress(const Material& material, const PointGroup& group, const
   }
 }
 
-/// Adds mass (3.30), momentum (3.31) and internal force (3.32) of a group of points; with `Absorbing`
-/// also the tractions of (5.53)-(5.55).
-template <bool Absorbing, class Material>
+/// Adds mass (3.30), momentum (3.31) and internal force (3.32) of a group of points.
+template <class Material>
 inline void add_points(const Material& material, const MaterialPoints& points,
-                       const PointGroup& group, const Cell& cell, const AbsorptionRate& rate,
-                       NodalSums& sums) {
+                       const PointGroup& group, const Cell& cell, NodalSums& sums) {
   PointLoads loads;
   const auto natural = cell.natural(group.load(points.position));
   const Lanes mass = group.load(points.mass);
   store(loads.mass, mass);
   for (int i = 0; i < 3; ++i) {
-    const Lanes momentum = mass * group.load(points.velocity[i]);
     store(loads.natural[i], natural[i]);
-    store(loads.momentum[i], momentum);
-    if constexpr (Absorbing) store(loads.external[i], -rate[i] * momentum);
+    store(loads.momentum[i], mass * group.load(points.velocity[i]));
   }
   if constexpr (Material::has_stress) load_stress(material, group, cell, mass, loads);
 
@@ -77,9 +67,6 @@ inline void add_points(const Material& material, const MaterialPoints& points,
     const Lanes shape = n.x * yz;
     sums.mass += loads.mass[p] * shape;
     for (int i = 0; i < 3; ++i) sums.momentum[i] += loads.momentum[i][p] * shape;
-    if constexpr (Absorbing) {
-      for (int i = 0; i < 3; ++i) sums.external[i] += loads.external[i][p] * shape;
-    }
     if constexpr (Material::has_stress) {
       const Lanes xz = n.x * n.z;
       const Lanes xy = n.x * n.y;
@@ -95,18 +82,18 @@ inline void add_points(const Material& material, const MaterialPoints& points,
 /// Scatters the points of one cell to its nodes.
 template <class Material>
 inline void scatter_cell(const Material& material, const MaterialPoints& points, const Cell& cell,
-                         const int* begin, const int* end, const AbsorptionRate* absorption,
-                         BackgroundGrid& grid) {
+                         const int* begin, const int* end, BackgroundGrid& grid) {
   NodalSums sums;
   for_each_group(begin, end, [&](const PointGroup& group) {
-    if (absorption) {
-      add_points<true>(material, points, group, cell, *absorption, sums);
-    } else {
-      add_points<false>(material, points, group, cell, {}, sums);
-    }
+    add_points(material, points, group, cell, sums);
   });
+  if (const double shear = material.shear_wave_speed(); shear > 0) {
+    for (int n = 0; n < 8; ++n) {
+      grid.updated[cell.first_node + grid.node_offsets()[n]][3] += shear * sums.mass[n];
+    }
+  }
   Lanes row[8];
-  sums.rows(row);
+  sums.rows(material.wave_speed(), row);
   for (int n = 0; n < 8; ++n) grid.state[cell.first_node + grid.node_offsets()[n]] += row[n];
 }
 

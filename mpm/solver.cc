@@ -15,8 +15,6 @@ namespace {
 
 /// Steps between two re-orderings of the storage; points cross a cell in thousands of steps.
 constexpr long reorder_interval = 200;
-/// Nodes lighter than this [kg] are not solved (section 3.2).
-constexpr double smallest_nodal_mass = 1e-30;
 
 }  // namespace
 
@@ -96,18 +94,13 @@ template <class Material>
 void Solver::scatter_brick(const Material& material, const Body& body, int b) {
   for_each_cell(model_.grid, b, body.cells.brick(b),
                 [&](const Cell& cell, const int* begin, const int* end, int) {
-                  AbsorptionRate rate;
-                  const bool absorbs =
-                      material.wave_speed() > 0 &&
-                      absorption_rate(model_.grid, model_.faces, cell.index, material.wave_speed(),
-                                      material.shear_wave_speed(), rate);
-                  scatter_cell(material, body.points, cell, begin, end, absorbs ? &rate : nullptr,
-                               model_.grid);
+                  scatter_cell(material, body.points, cell, begin, end, model_.grid);
                 });
 }
 
 void Solver::advance_momentum() {
   auto& grid = model_.grid;
+  absorb_at_faces(grid, model_.faces);
   const auto nodes = static_cast<long>(grid.node_count());
   const Lanes gravity{0, 0, 0, 0, model_.gravity.x(), model_.gravity.y(), model_.gravity.z(), 0};
 #pragma omp parallel for num_threads(threads_) schedule(static)
