@@ -14,8 +14,7 @@ Schema make_comparison_schema() {
   schema.choice("motion.kind", {"beam"}).doc("The tip of the beam in [beam].");
   schema.choice("motion.axis", {"lateral"}).doc("A beam moves its tip across itself.");
   schema.number("motion.scale", 1)
-      .at_least(-1e6)
-      .at_most(1e6)
+      .in("[-1e6, 1e6]")
       .doc("Factor on the displacement of the beam's tip.");
   declare_window(schema);
   declare_beam_drive(schema);
@@ -28,6 +27,9 @@ Schema make_comparison_schema() {
   check_piercing_geometry(schema);
   schema.check([](const Configuration& study, const Complain& complain) {
     check_steps("beam.step", "beam.end", study, complain);
+  });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_distinct("fill.fluids", study, complain);
   });
   return schema;
 }

@@ -12,7 +12,7 @@ std::string_view last_part(std::string_view key) {
 }
 
 std::size_t tolerated_distance(std::string_view name) {
-  return std::max<std::size_t>(1, name.size() / 3);
+  return (name.size() + 2) / 3;
 }
 
 }  // namespace
@@ -42,7 +42,8 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
     const std::size_t whole = edit_distance(wanted, name);
     const std::size_t part = edit_distance(last_part(wanted), last_part(name));
     const bool same_word = part <= tolerated_distance(last_part(name));
-    if (whole > tolerated_distance(name) && !same_word) continue;
+    const bool beginning = wanted.size() >= 3 && name.rfind(wanted, 0) == 0;
+    if (whole > tolerated_distance(name) && !same_word && !beginning) continue;
     const std::size_t distance = whole + 3 * part;  // the last part says what was meant
     if (distance < best_distance) {
       best_distance = distance;

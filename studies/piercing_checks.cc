@@ -85,14 +85,15 @@ void check_membrane_points(const Configuration& study, const Complain& complain)
   const double cell = study.quantity("grid.cell");
   const double edge = zona_edge_length(study);
   if (edge <= cell / 2) return;
-  const double finer = std::ceil(std::log2(edge / (cell / 2)));
+  const long level =
+      study.integer("zona.level") + std::lround(std::ceil(std::log2(2 * edge / cell)));
+  const long finest = 9;
+  const std::string finer = level <= finest ? fmt::format("level {} or ", level) : "";
   complain(
       "zona.level",
       fmt::format("the membrane points stand {:.3g} um apart, more than half a cell of {:g} um, "
-                  "and the membrane would tear numerically; needs level {:.0f} or a cell of at "
-                  "least {:.3g} um",
-                  micro(edge), micro(cell),
-                  static_cast<double>(study.integer("zona.level")) + finer, micro(2 * edge)));
+                  "and the membrane would tear numerically; needs {}a cell of at least {:.3g} um",
+                  micro(edge), micro(cell), finer, micro(2 * edge)));
 }
 
 void check_pipette(const Configuration& study, const Complain& complain) {

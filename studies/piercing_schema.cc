@@ -18,27 +18,21 @@ void declare_motion(Schema& schema) {
   schema.choice("motion.axis", {"lateral", "axial"})
       .doc("Across the pipette, or along it towards the oocyte.");
   schema.quantity("motion.amplitude", "m", "auto")
-      .at_least(-1e-3)
-      .at_most(1e-3)
+      .in("[-1e-3, 1e-3]")
       .or_auto()
       .doc(
           "Amplitude of the sine or peak of the triangle; \"auto\" is 13.5 um for a sine and 1.8 "
           "um for a triangle (5.4).");
-  schema.quantity("motion.period", "s", "100 us")
-      .above(0)
-      .at_most(1)
-      .doc("Period of the sine (5.4).");
+  schema.quantity("motion.period", "s", "100 us").in("(0, 1]").doc("Period of the sine (5.4).");
   schema.quantity("motion.duration", "s", "60 us")
-      .above(0)
-      .at_most(1)
+      .in("(0, 1]")
       .doc("Duration of the triangle (5.4).");
   schema.file("motion.trace", "")
       .doc(
           "CSV file of the recorded history: a header line, then time [s] and displacement [m] per "
           "line. Needed by motion.kind = \"trace\".");
   schema.number("motion.scale", 1)
-      .at_least(-1e6)
-      .at_most(1e6)
+      .in("[-1e6, 1e6]")
       .doc("Factor on the displacement of a beam or a trace.");
   declare_window(schema);
 }
@@ -93,8 +87,7 @@ Schema make_piercing_schema() {
   declare_pipette_tip(schema);
   schema.section("fill", "What fills the bore of the pipette.");
   schema.quantity("fill.fluid", "kg/m^3", "mercury")
-      .at_least(0)
-      .at_most(30000)
+      .in("[0, 30000]")
       .or_named(fill_fluids())
       .doc("The fluid, by name (Table 5.7) or by density; adds mass to the tip and to the beam.");
   declare_holding_plate(schema);

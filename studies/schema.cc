@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "studies/toml_document.h"
@@ -75,27 +76,17 @@ std::string Range::text(const std::string& si_unit) const {
          with_unit(max, si_unit);
 }
 
-Parameter& Parameter::above(double minimum) {
-  range.min = minimum;
-  range.min_allowed = false;
-  return *this;
-}
-
-Parameter& Parameter::at_least(double minimum) {
-  range.min = minimum;
-  range.min_allowed = true;
-  return *this;
-}
-
-Parameter& Parameter::below(double maximum) {
-  range.max = maximum;
-  range.max_allowed = false;
-  return *this;
-}
-
-Parameter& Parameter::at_most(double maximum) {
-  range.max = maximum;
-  range.max_allowed = true;
+Parameter& Parameter::in(const std::string& interval) {
+  char opening = 0, comma = 0, closing = 0;
+  std::istringstream stream(interval);
+  stream >> opening >> range.min >> comma >> range.max >> closing;
+  range.min_allowed = opening == '[';
+  range.max_allowed = closing == ']';
+  const bool brackets =
+      (range.min_allowed || opening == '(') && (range.max_allowed || closing == ')');
+  if (!stream || !brackets || comma != ',' || range.min > range.max) {
+    throw std::logic_error("the range of " + key + " is not an interval: " + interval);
+  }
   return *this;
 }
 
@@ -136,7 +127,7 @@ Parameter& Parameter::doc(std::string sentences) {
 
 std::string Parameter::expectation() const {
   std::string result = expected_item(*this);
-  if (!range.is_everything()) result += " " + range.text(unit);
+  if (!range.is_everything()) result += ", " + range.text(unit);
   std::vector<std::string> words;
   for (const auto& [name, value] : names) words.push_back(name);
   if (!words.empty()) result += ", or one of " + joined(words);

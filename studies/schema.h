@@ -45,10 +45,8 @@ struct Parameter {
   std::string symbol;         ///< as in the dissertation, e.g. "S_L"
   std::string documentation;  ///< one or two sentences, with the equation or table it stems from
 
-  Parameter& above(double minimum);
-  Parameter& at_least(double minimum);
-  Parameter& below(double maximum);
-  Parameter& at_most(double maximum);
+  /// Allowed values in SI as an interval: "(0, 1]" is above 0 and at most 1.
+  Parameter& in(const std::string& interval);
   Parameter& one_of(std::vector<long> values);
   Parameter& or_auto();
   Parameter& or_named(std::vector<NamedValue> named_values);
@@ -59,7 +57,7 @@ struct Parameter {
   Parameter& doc(std::string sentences);
 
   bool is_required() const { return default_toml.empty(); }
-  /// What a value must look like: "a length above 0 m", "one of newmark, arkode, modal".
+  /// What a value must look like: "a length, above 0 m", "one of newmark, arkode, modal".
   std::string expectation() const;
   /// A value that would be accepted, as TOML text.
   std::string example() const;
@@ -82,7 +80,7 @@ struct Section {
 ///
 ///     Schema schema("drop", "A drop falls on a plate.");
 ///     schema.section("drop", "The drop.");
-///     schema.quantity("drop.diameter", "m", "2 mm").above(0).doc("Diameter at rest.");
+///     schema.quantity("drop.diameter", "m", "2 mm").in("(0, 0.1]").doc("Diameter at rest.");
 ///
 /// The reference that a call returns is for chaining only; the next declaration invalidates it.
 class Schema {

@@ -21,6 +21,9 @@ void declare_beam_integration(Schema& schema, const std::string& section);
 /// Complains unless the bore `section`.inner_diameter is narrower than the pipette.
 void check_bore(const std::string& section, const Configuration& study, const Complain& complain);
 
+/// Complains about values that a list has twice; each makes a run with a name of its own.
+void check_distinct(const std::string& key, const Configuration& study, const Complain& complain);
+
 /// Complains unless `step_key` goes into `end_key` at least once and at most 1e8 times.
 void check_steps(const std::string& step_key, const std::string& end_key,
                  const Configuration& study, const Complain& complain);

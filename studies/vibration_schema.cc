@@ -11,8 +11,7 @@ Schema make_vibration_schema() {
   schema.section("pipette", "The injection pipette as a cantilever beam (Figure 5.24).");
   declare_pipette_bore(schema, "pipette");
   schema.quantity("pipette.density", "kg/m^3", "2300 kg/m^3")
-      .above(0)
-      .at_most(30000)
+      .in("(0, 30000]")
       .doc("Density of the glass (5.4); with the fluid it gives the mass per length of Table 5.5.");
   declare_beam(schema, "pipette");
 
@@ -25,8 +24,7 @@ Schema make_vibration_schema() {
       .quantities("pulse.durations", "s",
                   {"60 us", "120 us", "180 us", "240 us", "300 us", "360 us", "420 us", "480 us",
                    "540 us", "600 us"})
-      .above(0)
-      .at_most(1)
+      .in("(0, 1]")
       .doc("Durations of the pulse, one run each (5.5: 60 to 600 us in steps of 60 us).");
 
   schema.section("time", "Time integration of the beam.");
@@ -37,6 +35,12 @@ Schema make_vibration_schema() {
   });
   schema.check([](const Configuration& study, const Complain& complain) {
     check_steps("time.step", "time.end", study, complain);
+  });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_distinct("fill.fluids", study, complain);
+  });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_distinct("pulse.durations", study, complain);
   });
   return schema;
 }
