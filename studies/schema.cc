@@ -44,7 +44,7 @@ std::string expected_item(const Parameter& parameter) {
     case Parameter::Kind::boolean:
       return "true or false";
     case Parameter::Kind::choice:
-      return "one of " + joined(parameter.choices);
+      return (parameter.choices.size() > 1 ? "one of " : "only ") + joined(parameter.choices);
     case Parameter::Kind::text:
       return "a text";
     case Parameter::Kind::file:

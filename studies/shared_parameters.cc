@@ -53,7 +53,7 @@ void declare_pulse_form(Schema& schema) {
   schema.choice("pulse.shape", {"triangular"})
       .doc("Form of the support's displacement: up and down at constant speed (Figure 5.27).");
   schema.quantity("pulse.peak", "m", "17.9 um")
-      .in("[-0.01, 0.01]")
+      .in("(0, 0.01]")
       .doc(
           "Peak displacement of the support. Not given in the source; 17.9 um moves the tip of "
           "the mercury-filled pipette by its 13.5 um (5.4).");

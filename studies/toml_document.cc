@@ -104,7 +104,7 @@ std::string TomlValue::type_name() const {
     case Type::number:
       return "a number";
     case Type::boolean:
-      return "true or false";
+      return "a boolean";
     case Type::list:
       return "a list";
     case Type::table:

@@ -28,7 +28,7 @@ TEST_CASE("a quantity needs the right unit") {
   CHECK_THAT(piercing("[grid]\ncell = \"6\"\n"),
              Contains("s.toml:3: grid.cell: \"6\" has no unit"));
   CHECK_THAT(piercing("[grid]\ncell = \"6 s\"\n"), Contains("needs a unit of length"));
-  CHECK_THAT(piercing("[grid]\ncell = true\n"), Contains("true is true or false; needs a length"));
+  CHECK_THAT(piercing("[grid]\ncell = true\n"), Contains("true is a boolean; needs a length"));
   CHECK_THAT(piercing("[grid]\ncell = \"auto\"\n"), Contains("is not a quantity"));
   CHECK(piercing("[time]\nend = \"auto\"\n").empty());
 }
