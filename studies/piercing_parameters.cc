@@ -44,6 +44,33 @@ void declare_fluid(Schema& schema, const std::string& name, const std::string& p
           "piercings.");
 }
 
+void declare_zona_law(Schema& schema) {
+  schema.choice("zona.law", {"elastodamage", "elastic"})
+      .doc("Elastodamage (5.7)-(5.11), or elastic for ever.");
+  schema.number("zona.c0", 10)
+      .in("[0, 1e6]")
+      .called("c_0")
+      .doc(
+          "Depth of the softening (Table 5.2), in (5.10) without its factor 2, which contradicts "
+          "the failure strain of 0.06.");
+  schema.number("zona.c1", 10)
+      .in("[0, 1e6]")
+      .called("c_1")
+      .doc("Speed of the softening in (5.10) (Table 5.2).");
+  schema.number("zona.elastic_limit", 0.05937)
+      .in("(0, 10]")
+      .called("S_L")
+      .doc("Greatest principal strain without damage (Table 5.2).");
+  schema.choice("zona.kinematics", {"source", "objective"})
+      .doc(
+          "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
+          "source; or objective, from the deformation gradient of the triangles.");
+  schema.choice("zona.one_way", {"stress", "strain", "off"})
+      .doc(
+          "How compression is cut off: taut, wrinkled or slack by the principal stresses; by the "
+          "principal strains, as the source does (4.24)-(4.27); or not at all.");
+}
+
 }  // namespace
 
 void declare_grid(Schema& schema) {
@@ -84,30 +111,7 @@ void declare_zona(Schema& schema) {
       .in("(0, 30000]")
       .called("rho")
       .doc("Density (5.4).");
-  schema.choice("zona.law", {"elastodamage", "elastic"})
-      .doc("Elastodamage (5.7)-(5.11), or elastic for ever.");
-  schema.number("zona.c0", 10)
-      .in("[0, 1e6]")
-      .called("c_0")
-      .doc(
-          "Depth of the softening (Table 5.2), in (5.10) without its factor 2, which contradicts "
-          "the failure strain of 0.06.");
-  schema.number("zona.c1", 10)
-      .in("[0, 1e6]")
-      .called("c_1")
-      .doc("Speed of the softening in (5.10) (Table 5.2).");
-  schema.number("zona.elastic_limit", 0.05937)
-      .in("(0, 10]")
-      .called("S_L")
-      .doc("Greatest principal strain without damage (Table 5.2).");
-  schema.choice("zona.kinematics", {"source", "objective"})
-      .doc(
-          "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
-          "source; or objective, from the deformation gradient of the triangles.");
-  schema.choice("zona.one_way", {"stress", "strain", "off"})
-      .doc(
-          "How compression is cut off: taut, wrinkled or slack by the principal stresses; by the "
-          "principal strains, as the source does (4.24)-(4.27); or not at all.");
+  declare_zona_law(schema);
 }
 
 void declare_fluids(Schema& schema) {
