@@ -1,6 +1,6 @@
 #include "studies/run_directory.h"
 
-#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -140,6 +140,20 @@ TEST_CASE("an interrupted run ends with what it has") {
   CHECK(run_with(interrupted, scratch.path() / "run") == exit_interrupted);
   CHECK(summary_in(scratch.path() / "run")["status"] == "interrupted");
   CHECK(summary_in(scratch.path() / "run")["results"]["stopped"] == true);
+}
+
+TEST_CASE("a second Ctrl-C ends the program at once") {
+  const pid_t child = fork();
+  if (child == 0) {
+    const Interrupt interrupt;
+    raise(SIGINT);
+    if (Interrupt::requested()) raise(SIGINT);
+    _exit(1);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == SIGINT);
 }
 
 TEST_CASE("a kind without a runner writes nothing") {
