@@ -1,1 +1,1 @@
-namespace zona::mpm {}
+namespace zona::coupling {}
