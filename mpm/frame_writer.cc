@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -49,12 +50,18 @@ std::vector<float> rounded(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
-std::vector<std::int32_t> flattened(const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<std::int32_t> indices;
-  indices.reserve(3 * triangles.size());
-  for (const auto& triangle : triangles)
-    indices.insert(indices.end(), triangle.begin(), triangle.end());
-  return indices;
+/// Indices of the points that make up the cells of a cloud: three a triangle, or each point alone.
+std::vector<std::int32_t> corners_of(const PointCloud& cloud) {
+  if (cloud.triangles.empty()) {
+    std::vector<std::int32_t> points(cloud.positions.size() / 3);
+    std::iota(points.begin(), points.end(), 0);
+    return points;
+  }
+  std::vector<std::int32_t> corners;
+  corners.reserve(3 * cloud.triangles.size());
+  for (const auto& triangle : cloud.triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return corners;
 }
 
 std::string six_digits(std::size_t frame) {
@@ -149,8 +156,7 @@ void FrameWriter::write_cloud(Hdf5File& file, const std::string& frame, const Po
   else
     file.write(group + "/positions", rounded(cloud.positions), 3);
   file.write_attribute(group, "position_bytes", std::int64_t{in_double ? 8 : 4});
-  if (!cloud.triangles.empty())
-    file.write_attribute(group, "topology", stored_topology(file, frame, cloud));
+  file.write_attribute(group, "topology", stored_topology(file, frame, cloud));
   for (const auto& [name, values] : cloud.fields) {
     const std::string dataset = group + "/fields/" + name;
     if (values.size() == cloud.positions.size())
@@ -163,12 +169,14 @@ void FrameWriter::write_cloud(Hdf5File& file, const std::string& frame, const Po
 std::string FrameWriter::stored_topology(Hdf5File& file, const std::string& frame,
                                          const PointCloud& cloud) {
   Topology& last = topologies_[cloud.name];
-  if (!last.dataset.empty() && last.triangles == cloud.triangles) return last.dataset;
+  std::vector<std::int32_t> corners = corners_of(cloud);
+  const std::size_t points_a_cell = cloud.triangles.empty() ? 1 : 3;
+  if (last.points_a_cell == points_a_cell && last.corners == corners) return last.dataset;
   const std::string dataset =
       "/topology/" + cloud.name + "/" + frame.substr(frame.find_last_of('/') + 1);
   if (file.contains(dataset)) file.remove(dataset);  // left by a write that failed
-  file.write(dataset, flattened(cloud.triangles), 3);
-  last = {cloud.triangles, dataset};
+  file.write(dataset, corners, points_a_cell);
+  last = {points_a_cell, std::move(corners), dataset};
   return dataset;
 }
 

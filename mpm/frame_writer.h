@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ struct PointCloud {
 /// 100 um and halves the file. Fields are always stored in single precision, times in double.
 enum class PositionPrecision { single_precision, double_precision };
 
-/// Writes instants ("frames") of a run to `fields.h5` and `fields.xdmf`, which ParaView and VisIt
-/// open as a temporal collection of spatial collections.
+/// Writes instants ("frames") of a run to `fields.h5` and `fields.xdmf`, a temporal collection of
+/// spatial collections. ParaView opens it with its readers "XDMF Reader" and "Xdmf3 Reader T".
 ///
 /// Both files are complete and closed between frames, so a run may be watched while it goes on and
 /// loses at most one frame when it is killed. The XDMF file is replaced atomically, after the data
@@ -32,10 +33,11 @@ enum class PositionPrecision { single_precision, double_precision };
 ///     /frames/000000            attribute "time" [s], written last: a frame without it is broken
 ///     /frames/000000/<cloud>/positions        (points, 3)
 ///     /frames/000000/<cloud>/fields/<field>   (points) or (points, 3)
-///     /topology/<cloud>/000000                (triangles, 3), named after its first frame
+///     /topology/<cloud>/000000                (triangles, 3), or (points, 1) for a mere cloud
 ///
-/// A cloud's triangles are written again only in frames where they differ from the last written;
-/// each cloud's group names the dataset in its attribute "topology". Empty clouds are left out.
+/// The topology, named after its first frame, is written again only in frames where it differs from
+/// the last written; each cloud's group names it in the attribute "topology". (That of a mere cloud
+/// only counts its points, which ParaView would not draw without.) Empty clouds are left out.
 ///
 /// Members throw `Hdf5Error` and `FileError` when files fail, `std::invalid_argument` when a cloud
 /// is inconsistent; then nothing of the frame has been written.
@@ -57,7 +59,8 @@ class FrameWriter {
 
  private:
   struct Topology {
-    std::vector<std::array<int, 3>> triangles;
+    std::size_t points_a_cell = 0;
+    std::vector<std::int32_t> corners;
     std::string dataset;
   };
 

@@ -18,13 +18,13 @@ std::string data_item(const Hdf5File& data, const std::string& dataset, const ch
 }
 
 std::string topology(const Hdf5File& data, const std::string& cloud) {
-  if (!data.has_attribute(cloud, "topology"))
-    return fmt::format(
-        "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\"/>\n",
-        data.shape(cloud + "/positions").at(0));
-  const auto triangles = data.read_attribute<std::string>(cloud, "topology");
-  return fmt::format("<Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}</Topology>\n",
-                     data.shape(triangles).at(0), data_item(data, triangles, "Int", 4));
+  const auto dataset = data.read_attribute<std::string>(cloud, "topology");
+  const std::vector<std::size_t> shape = data.shape(dataset);
+  const char* type = shape.at(1) == 3 ? "Triangle" : "Polyvertex";
+  return fmt::format(
+      "<Topology TopologyType=\"{}\" NumberOfElements=\"{}\" "
+      "NodesPerElement=\"{}\">{}</Topology>\n",
+      type, shape.at(0), shape.at(1), data_item(data, dataset, "Int", 4));
 }
 
 std::string attribute(const Hdf5File& data, const std::string& fields, const std::string& name) {

@@ -77,6 +77,18 @@ TEST_CASE("triangles are stored once while they stay the same", "[frames]") {
         "/topology/zona/000003");
 }
 
+TEST_CASE("three points and the triangle over them are different topologies", "[frames]") {
+  const ScratchFolder scratch;
+  FrameWriter writer(scratch.path());
+  PointCloud cloud{"a", {0, 0, 0, 1, 0, 0, 0, 1, 0}, {}, {}};
+  writer.add_frame(0, {cloud});
+  cloud.triangles = {{0, 1, 2}};
+  writer.add_frame(1, {cloud});
+  const Hdf5File file = Hdf5File::open(scratch / "fields.h5");
+  CHECK(file.shape("/topology/a/000000") == std::vector<std::size_t>{3, 1});
+  CHECK(file.shape("/topology/a/000001") == std::vector<std::size_t>{1, 3});
+}
+
 TEST_CASE("the XDMF file is closed after every frame and points to existing data", "[frames]") {
   const ScratchFolder scratch;
   const std::string& folder = scratch.path();
@@ -97,7 +109,7 @@ TEST_CASE("the XDMF file is closed after every frame and points to existing data
     const auto begin = at + 10;
     CHECK(file.contains(text.substr(begin, text.find('<', begin) - begin)));
   }
-  CHECK(references == 4 * 6);
+  CHECK(references == 4 * 7);
   CHECK_FALSE(std::filesystem::exists(folder + "/fields.xdmf.tmp"));
 }
 
