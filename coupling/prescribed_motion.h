@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "mpm/rigid_motion.h"
+
+namespace zona::coupling {
+
+/// u(t) = amplitude sin(2 pi t / period) along the axis, for all t >= 0: the vibration of 5.3.
+/// It starts with the velocity 2 pi amplitude / period at once unless a ramp softens that.
+struct SineMotion {
+  double amplitude;                                 ///< [m]
+  double period;                                    ///< [s]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< of any length but zero
+  double ramp = 0;                                  ///< duration of the smooth start [s]
+};
+
+/// Rises linearly to the peak at duration / 2, falls linearly to zero at the duration, then rests:
+/// the pulse of 5.3 and 5.5. The velocity jumps at these instants; there it is that of the piece
+/// that begins.
+struct TrianglePulse {
+  double peak;                                      ///< [m]
+  double duration;                                  ///< [s]
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< of any length but zero
+  double ramp = 0;                                  ///< duration of the smooth start [s]
+};
+
+/// The ramp (see `smooth_ramp`) multiplies the displacement; the velocity is the exact derivative
+/// of the product. Throw `std::invalid_argument` if a parameter is not finite, a period or duration
+/// not positive, a ramp negative, an axis zero. The motions throw `std::out_of_range` before t = 0.
+mpm::RigidMotion rigid_motion(const SineMotion& sine);
+mpm::RigidMotion rigid_motion(const TrianglePulse& pulse);
+
+/// The axis as a unit vector; throws `std::invalid_argument` if it has no direction.
+Eigen::Vector3d unit_axis(const Eigen::Vector3d& axis);
+
+}  // namespace zona::coupling

@@ -1,0 +1,309 @@
+#include "mpm/hdf5_file.h"
+
+#include "mpm/hdf5_handle.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace zona::mpm {
+
+namespace {
+
+using hdf5::check;
+using hdf5::Handle;
+using hdf5::QuietScope;
+
+static_assert(std::is_same_v<hid_t, std::int64_t>, "the header stores HDF5's handles as int64");
+
+template <class T>
+hid_t native_type() {
+  if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
+  if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
+  if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
+  if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
+}
+
+hid_t unlocked_access() {
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_file_locking(access, false, true);
+  return access;
+}
+
+template <class T>
+void write_dataset(hid_t file, const std::string& path, const std::string& dataset, const T* values,
+                   const std::vector<hsize_t>& shape) {
+  const QuietScope quiet;
+  const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                     H5Sclose);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  const Handle data(
+      H5Dcreate2(file, dataset.c_str(), native_type<T>(), space, links, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose);
+  check<hid_t>(data, path, dataset, "cannot create the dataset");
+  check(H5Dwrite(data, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path, dataset,
+        "cannot write the dataset");
+}
+
+std::vector<hsize_t> shape_of(hid_t data, const std::string& path, const std::string& dataset) {
+  const Handle space(H5Dget_space(data), H5Sclose);
+  const int rank = check(H5Sget_simple_extent_ndims(space), path, dataset, "has no dimensions");
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  check(H5Sget_simple_extent_dims(space, shape.data(), nullptr), path, dataset,
+        "has no dimensions");
+  return shape;
+}
+
+/// Throws unless the stored numbers are of the same class (integer, floating point) as T.
+template <class T>
+void check_class(hid_t data, const std::string& path, const std::string& dataset) {
+  const Handle type(H5Dget_type(data), H5Tclose);
+  const bool integers = H5Tget_class(type) == H5T_INTEGER;
+  const bool reals = H5Tget_class(type) == H5T_FLOAT;
+  if (std::is_integral_v<T> ? !integers : !reals)
+    throw Hdf5Error(path, dataset,
+                    std::string("does not hold ") +
+                        (std::is_integral_v<T> ? "integers" : "floating point numbers"));
+}
+
+hid_t attribute_type(const std::string& value) {
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, std::max<std::size_t>(1, value.size()));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+hid_t attribute_type(double) {
+  return H5Tcopy(H5T_NATIVE_DOUBLE);
+}
+hid_t attribute_type(std::int64_t) {
+  return H5Tcopy(H5T_NATIVE_INT64);
+}
+
+template <class T>
+herr_t write_attribute_value(hid_t attribute, hid_t type, const T& value) {
+  if constexpr (std::is_same_v<T, std::string>)
+    return H5Awrite(attribute, type, value.c_str());
+  else
+    return H5Awrite(attribute, type, &value);
+}
+
+template <class T>
+void write_attribute_of(hid_t file, const std::string& path, const std::string& object,
+                        const std::string& name, const T& value) {
+  const QuietScope quiet;
+  const std::string label = object + "@" + name;
+  const Handle owner(H5Oopen(file, object.c_str(), H5P_DEFAULT), H5Oclose);
+  check<hid_t>(owner, path, label, "cannot open the object of the attribute");
+  if (H5Aexists(owner, name.c_str()) > 0) H5Adelete(owner, name.c_str());
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle type(attribute_type(value), H5Tclose);
+  const Handle attribute(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  check<hid_t>(attribute, path, label, "cannot create the attribute");
+  check(write_attribute_value(attribute, type, value), path, label, "cannot write the attribute");
+}
+
+template <class T>
+constexpr H5T_class_t attribute_class() {
+  if (std::is_same_v<T, std::string>) return H5T_STRING;
+  return std::is_same_v<T, double> ? H5T_FLOAT : H5T_INTEGER;
+}
+
+/// Reads a text of fixed length, as this class writes it, or of variable length, as h5py does.
+herr_t read_attribute_value(hid_t attribute, hid_t type, std::string& value) {
+  if (H5Tis_variable_str(type) <= 0) {
+    value.assign(H5Tget_size(type), '\0');
+    const herr_t answer = H5Aread(attribute, type, value.data());
+    value.resize(std::min(value.size(), value.find('\0')));
+    return answer;
+  }
+  char* text = nullptr;
+  const herr_t answer = H5Aread(attribute, type, &text);
+  if (answer >= 0 && text) value = text;
+  H5free_memory(text);
+  return answer;
+}
+template <class T>
+herr_t read_attribute_value(hid_t attribute, hid_t, T& value) {
+  const Handle type(attribute_type(value), H5Tclose);
+  return H5Aread(attribute, type, &value);
+}
+
+}  // namespace
+
+Hdf5Error::Hdf5Error(const std::string& file, const std::string& object, const std::string& problem)
+    : std::runtime_error(file + ": " + (object.empty() ? "" : object + ": ") + problem),
+      file_(file),
+      object_(object) {}
+
+Hdf5File::Hdf5File(std::string path, std::int64_t id) : path_(std::move(path)), id_(id) {}
+
+Hdf5File::Hdf5File(Hdf5File&& other) noexcept
+    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
+
+Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(id_, other.id_);
+  return *this;
+}
+
+Hdf5File::~Hdf5File() {
+  const QuietScope quiet;
+  if (id_ >= 0) H5Fclose(id_);
+}
+
+Hdf5File Hdf5File::create(const std::string& path) {
+  const QuietScope quiet;
+  const Handle access(unlocked_access(), H5Pclose);
+  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  return Hdf5File(path, check(id, path, "", "cannot create the file"));
+}
+
+Hdf5File Hdf5File::open(const std::string& path) {
+  const QuietScope quiet;
+  const Handle access(unlocked_access(), H5Pclose);
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  return Hdf5File(path, check(id, path, "", "cannot open the file"));
+}
+
+Hdf5File Hdf5File::append(const std::string& path) {
+  const QuietScope quiet;
+  const Handle access(unlocked_access(), H5Pclose);
+  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
+  return Hdf5File(path, check(id, path, "", "cannot open the file to append to it"));
+}
+
+template <class T>
+void Hdf5File::write(const std::string& dataset, const std::vector<T>& values) {
+  write_dataset(id_, path_, dataset, values.data(), {values.size()});
+}
+
+template <class T>
+void Hdf5File::write(const std::string& dataset, const std::vector<T>& values,
+                     std::size_t columns) {
+  if (columns == 0 || values.size() % columns != 0)
+    throw Hdf5Error(
+        path_, dataset,
+        std::to_string(values.size()) + " values do not fill rows of " + std::to_string(columns));
+  write_dataset(id_, path_, dataset, values.data(), {values.size() / columns, columns});
+}
+
+template <class T>
+std::vector<T> Hdf5File::read(const std::string& dataset) const {
+  const QuietScope quiet;
+  const Handle data(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  check<hid_t>(data, path_, dataset, "cannot open the dataset");
+  check_class<T>(data, path_, dataset);
+  std::size_t size = 1;
+  for (const hsize_t length : shape_of(data, path_, dataset)) size *= length;
+  std::vector<T> values(size);
+  check(H5Dread(data, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_,
+        dataset, "cannot read the dataset");
+  return values;
+}
+
+std::vector<std::size_t> Hdf5File::shape(const std::string& dataset) const {
+  const QuietScope quiet;
+  const Handle data(H5Dopen2(id_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  check<hid_t>(data, path_, dataset, "cannot open the dataset");
+  const std::vector<hsize_t> lengths = shape_of(data, path_, dataset);
+  return {lengths.begin(), lengths.end()};
+}
+
+void Hdf5File::write_attribute(const std::string& object, const std::string& name, double value) {
+  write_attribute_of(id_, path_, object, name, value);
+}
+void Hdf5File::write_attribute(const std::string& object, const std::string& name,
+                               std::int64_t value) {
+  write_attribute_of(id_, path_, object, name, value);
+}
+void Hdf5File::write_attribute(const std::string& object, const std::string& name,
+                               const std::string& value) {
+  write_attribute_of(id_, path_, object, name, value);
+}
+
+template <class T>
+T Hdf5File::read_attribute(const std::string& object, const std::string& name) const {
+  const QuietScope quiet;
+  const std::string label = object + "@" + name;
+  const Handle attribute(
+      H5Aopen_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  check<hid_t>(attribute, path_, label, "cannot open the attribute");
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  if (H5Tget_class(type) != attribute_class<T>() || H5Sget_simple_extent_npoints(space) != 1)
+    throw Hdf5Error(path_, label, "is not of the type asked for");
+  T value{};
+  check(read_attribute_value(attribute, type, value), path_, label, "cannot read the attribute");
+  return value;
+}
+
+bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
+  const QuietScope quiet;
+  return H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+void Hdf5File::create_group(const std::string& group) {
+  const QuietScope quiet;
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  const Handle created(H5Gcreate2(id_, group.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  check<hid_t>(created, path_, group, "cannot create the group");
+}
+
+bool Hdf5File::contains(const std::string& object) const {
+  const QuietScope quiet;
+  const Handle found(H5Oopen(id_, object.c_str(), H5P_DEFAULT), H5Oclose);
+  return found >= 0;
+}
+
+std::vector<std::string> Hdf5File::children(const std::string& group) const {
+  const QuietScope quiet;
+  const Handle parent(H5Gopen2(id_, group.c_str(), H5P_DEFAULT), H5Gclose);
+  check<hid_t>(parent, path_, group, "cannot open the group");
+  std::vector<std::string> names;
+  const auto append_name = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  check(H5Literate(parent, H5_INDEX_NAME, H5_ITER_INC, nullptr, append_name, &names), path_, group,
+        "cannot list the group");
+  return names;
+}
+
+void Hdf5File::remove(const std::string& object) {
+  const QuietScope quiet;
+  check(H5Ldelete(id_, object.c_str(), H5P_DEFAULT), path_, object, "cannot remove");
+}
+
+void Hdf5File::flush() {
+  const QuietScope quiet;
+  check(H5Fflush(id_, H5F_SCOPE_GLOBAL), path_, "", "cannot flush the file");
+}
+
+void Hdf5File::close() {
+  const QuietScope quiet;
+  if (id_ < 0) return;
+  check(H5Fclose(std::exchange(id_, -1)), path_, "", "cannot close the file");
+}
+
+template void Hdf5File::write(const std::string&, const std::vector<double>&);
+template void Hdf5File::write(const std::string&, const std::vector<double>&, std::size_t);
+template std::vector<double> Hdf5File::read(const std::string&) const;
+template void Hdf5File::write(const std::string&, const std::vector<float>&);
+template void Hdf5File::write(const std::string&, const std::vector<float>&, std::size_t);
+template std::vector<float> Hdf5File::read(const std::string&) const;
+template void Hdf5File::write(const std::string&, const std::vector<std::int32_t>&);
+template void Hdf5File::write(const std::string&, const std::vector<std::int32_t>&, std::size_t);
+template std::vector<std::int32_t> Hdf5File::read(const std::string&) const;
+template void Hdf5File::write(const std::string&, const std::vector<std::int64_t>&);
+template void Hdf5File::write(const std::string&, const std::vector<std::int64_t>&, std::size_t);
+template std::vector<std::int64_t> Hdf5File::read(const std::string&) const;
+
+template double Hdf5File::read_attribute(const std::string&, const std::string&) const;
+template std::int64_t Hdf5File::read_attribute(const std::string&, const std::string&) const;
+template std::string Hdf5File::read_attribute(const std::string&, const std::string&) const;
+
+}  // namespace zona::mpm

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace zona::mpm {
+
+/// What went wrong in an HDF5 file; `what()` reads "file: object: problem (HDF5's own reason)".
+class Hdf5Error : public std::runtime_error {
+ public:
+  Hdf5Error(const std::string& file, const std::string& object, const std::string& problem);
+  const std::string& file() const { return file_; }
+  /// The dataset, group or attribute concerned; empty when it is the file itself.
+  const std::string& object() const { return object_; }
+
+ private:
+  std::string file_;
+  std::string object_;
+};
+
+/// An open HDF5 file, closed when it goes out of scope.
+///
+/// Objects are named by absolute paths such as "/frames/000000/zona/positions"; missing groups on
+/// the way are created by every write. Every member throws `Hdf5Error`. HDF5 prints nothing by
+/// itself. Files are not locked, so that a viewer may read a file that a run appends to. MPI need
+/// not be initialised. Not thread-safe, because HDF5 is not.
+///
+/// Element types T of datasets: double, float, std::int32_t, std::int64_t. Of attributes: double,
+/// std::int64_t, std::string.
+class Hdf5File {
+ public:
+  /// A new file; one of that name is replaced.
+  static Hdf5File create(const std::string& path);
+  /// An existing file, for reading only.
+  static Hdf5File open(const std::string& path);
+  /// An existing file, for reading and writing.
+  static Hdf5File append(const std::string& path);
+
+  Hdf5File(Hdf5File&& other) noexcept;
+  Hdf5File& operator=(Hdf5File&& other) noexcept;
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+  /// Closes the file and ignores failures; call `close` to hear of them.
+  ~Hdf5File();
+
+  /// Write a new one-dimensional dataset; one of that name must not exist.
+  template <class T>
+  void write(const std::string& dataset, const std::vector<T>& values);
+  /// Write a new two-dimensional dataset of values.size() / columns rows, stored row by row.
+  template <class T>
+  void write(const std::string& dataset, const std::vector<T>& values, std::size_t columns);
+
+  /// All values, row by row. Precision is converted to T's; integers are not read as floating point
+  /// numbers nor the reverse.
+  template <class T>
+  std::vector<T> read(const std::string& dataset) const;
+  /// The lengths of a dataset along its dimensions.
+  std::vector<std::size_t> shape(const std::string& dataset) const;
+
+  /// Write an attribute of a group or dataset, replacing one of that name.
+  void write_attribute(const std::string& object, const std::string& name, double value);
+  void write_attribute(const std::string& object, const std::string& name, std::int64_t value);
+  void write_attribute(const std::string& object, const std::string& name,
+                       const std::string& value);
+  template <class T>
+  T read_attribute(const std::string& object, const std::string& name) const;
+  bool has_attribute(const std::string& object, const std::string& name) const;
+
+  void create_group(const std::string& group);
+  bool contains(const std::string& object) const;
+  /// Names (not paths) of what a group holds, in alphabetical order.
+  std::vector<std::string> children(const std::string& group) const;
+  /// Remove a dataset, or a group and all it holds. The space in the file is not reclaimed.
+  void remove(const std::string& object);
+
+  /// Hand everything written so far to the operating system.
+  void flush();
+  void close();
+
+  const std::string& path() const { return path_; }
+
+ private:
+  Hdf5File(std::string path, std::int64_t id);
+
+  std::string path_;
+  std::int64_t id_ = -1;  ///< HDF5's handle; negative when closed
+};
+
+}  // namespace zona::mpm

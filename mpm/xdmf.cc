@@ -1,0 +1,67 @@
+#include "mpm/xdmf.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+
+namespace zona::mpm {
+
+namespace {
+
+std::string data_item(const Hdf5File& data, const std::string& dataset, const char* number,
+                      std::int64_t bytes) {
+  return fmt::format(
+      R"(<DataItem Format="HDF" NumberType="{}" Precision="{}" Dimensions="{}">{}:{}</DataItem>)",
+      number, bytes, fmt::join(data.shape(dataset), " "),
+      std::filesystem::path(data.path()).filename().string(), dataset);
+}
+
+std::string topology(const Hdf5File& data, const std::string& cloud) {
+  const auto dataset = data.read_attribute<std::string>(cloud, "topology");
+  const std::vector<std::size_t> shape = data.shape(dataset);
+  const char* type = shape.at(1) == 3 ? "Triangle" : "Polyvertex";
+  return fmt::format(
+      "<Topology TopologyType=\"{}\" NumberOfElements=\"{}\" "
+      "NodesPerElement=\"{}\">{}</Topology>\n",
+      type, shape.at(0), shape.at(1), data_item(data, dataset, "Int", 4));
+}
+
+std::string attribute(const Hdf5File& data, const std::string& fields, const std::string& name) {
+  const std::string dataset = fields + "/" + name;
+  const char* kind = data.shape(dataset).size() == 1 ? "Scalar" : "Vector";
+  return fmt::format("<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
+                     name, kind, data_item(data, dataset, "Float", 4));
+}
+
+std::string cloud_grid(const Hdf5File& data, const std::string& frame, const std::string& name) {
+  const std::string cloud = frame + "/" + name;
+  const auto position_bytes = data.read_attribute<std::int64_t>(cloud, "position_bytes");
+  std::string text = fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">\n", name);
+  text += topology(data, cloud);
+  text += "<Geometry GeometryType=\"XYZ\">" +
+          data_item(data, cloud + "/positions", "Float", position_bytes) + "</Geometry>\n";
+  const std::string fields = cloud + "/fields";
+  for (const std::string& field : data.children(fields)) text += attribute(data, fields, field);
+  return text + "</Grid>\n";
+}
+
+}  // namespace
+
+std::string xdmf_frame(const Hdf5File& data, const std::string& frame) {
+  const auto time = data.read_attribute<double>(frame, "time");
+  std::string text = fmt::format(
+      "<Grid Name=\"bodies\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
+      "<Time Value=\"{}\"/>\n",
+      time);
+  for (const std::string& cloud : data.children(frame)) text += cloud_grid(data, frame, cloud);
+  return text + "</Grid>\n";
+}
+
+std::string xdmf_document(const std::string& frames) {
+  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
+         "<Grid Name=\"frames\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" +
+         frames + "</Grid>\n</Domain>\n</Xdmf>\n";
+}
+
+}  // namespace zona::mpm
