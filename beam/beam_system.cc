@@ -20,8 +20,8 @@ constexpr int kElementDofs = 4;
 constexpr int kGaussPoints = 5;
 constexpr int kEssential = -1;
 
-/// Hermite shape functions and their derivatives with respect to x at one point of an element, in the
-/// order deflection and rotation at the left vertex, then at the right one.
+/// Hermite shape functions and their derivatives with respect to x at one point of an element, in
+/// the order deflection and rotation at the left vertex, then at the right one.
 struct ShapeValues {
   std::array<double, kElementDofs> value;
   std::array<double, kElementDofs> curvature;
@@ -104,15 +104,18 @@ void check_layout(const Section& section, const BeamLayout& layout) {
                       layout.observed_at, section.length));
 }
 
-}  // namespace
+/// One element: its ends [m] and the numbers of its free degrees of freedom.
+struct Element {
+  double left;
+  double right;
+  std::array<int, kElementDofs> dof;
 
-BeamSystem assemble(const Section& section, const BeamLayout& layout) {
-  check_layout(section, layout);
-  dealii::Triangulation<1> mesh;
-  dealii::GridGenerator::subdivided_hyper_cube(mesh, layout.elements, 0., section.length);
-  const std::vector<int> number = number_free_dofs(layout);
+  double length() const { return right - left; }
+};
+
+BeamSystem empty_system(const Section& section, const BeamLayout& layout,
+                        const std::vector<int>& number) {
   const int size = static_cast<int>(number.size()) - 2;
-
   BeamSystem system;
   system.mass = SymmetricBand(size);
   system.stiffness = SymmetricBand(size);
@@ -120,32 +123,56 @@ BeamSystem assemble(const Section& section, const BeamLayout& layout) {
   system.observation = Eigen::VectorXd::Zero(size);
   system.support_share = rigid_deflection(layout.supports, layout.observed_at, section.length);
   system.element_length = section.length / layout.elements;
+  for (std::size_t dof = 0; dof < number.size(); ++dof)
+    if (number[dof] != kEssential) system.rotation.push_back(dof % 2 == 1);
+  return system;
+}
 
-  for (const auto& cell : mesh.active_cell_iterators()) {
-    const double left = cell->vertex(0)[0];
-    const double right = cell->vertex(1)[0];
-    const double element_length = right - left;
-    const ElementMatrices element = element_matrices(section, left, element_length);
-    const double slope = rigid_slope(layout.supports, section.length);
-    const std::array<double, kElementDofs> rigid = {
-        rigid_deflection(layout.supports, left, section.length), slope,
-        rigid_deflection(layout.supports, right, section.length), slope};
-    const bool observed = layout.observed_at >= left &&
-                          (layout.observed_at < right || cell->at_boundary(1));
-    const ShapeValues at_point =
-        hermite_shapes((layout.observed_at - left) / element_length, element_length);
-    for (int i = 0; i < kElementDofs; ++i) {
-      const int row = number[2 * cell->vertex_index(i / 2) + i % 2];
-      if (row == kEssential) continue;
-      if (observed) system.observation(row) = at_point.value[i];
-      for (int j = 0; j < kElementDofs; ++j) {
-        system.support_mass(row) += element.mass(i, j) * rigid[j];
-        const int column = number[2 * cell->vertex_index(j / 2) + j % 2];
-        if (column == kEssential || column > row) continue;
-        system.mass.add(row, column, element.mass(i, j));
-        system.stiffness.add(row, column, element.stiffness(i, j));
-      }
+void add_element(const Section& section, const BeamLayout& layout, const Element& element,
+                 BeamSystem& system) {
+  const ElementMatrices matrices = element_matrices(section, element.left, element.length());
+  const double slope = rigid_slope(layout.supports, section.length);
+  const std::array<double, kElementDofs> rigid = {
+      rigid_deflection(layout.supports, element.left, section.length), slope,
+      rigid_deflection(layout.supports, element.right, section.length), slope};
+  for (int i = 0; i < kElementDofs; ++i) {
+    const int row = element.dof[i];
+    if (row == kEssential) continue;
+    for (int j = 0; j < kElementDofs; ++j) {
+      system.support_mass(row) += matrices.mass(i, j) * rigid[j];
+      const int column = element.dof[j];
+      if (column == kEssential || column > row) continue;
+      system.mass.add(row, column, matrices.mass(i, j));
+      system.stiffness.add(row, column, matrices.stiffness(i, j));
     }
+  }
+}
+
+void observe(const Element& element, double x, BeamSystem& system) {
+  const double xi = (x - element.left) / element.length();
+  const ShapeValues shapes = hermite_shapes(xi, element.length());
+  for (int i = 0; i < kElementDofs; ++i)
+    if (element.dof[i] != kEssential) system.observation(element.dof[i]) = shapes.value[i];
+}
+
+}  // namespace
+
+BeamSystem assemble(const Section& section, const BeamLayout& layout) {
+  check_layout(section, layout);
+  dealii::Triangulation<1> mesh;
+  dealii::GridGenerator::subdivided_hyper_cube(mesh, layout.elements, 0., section.length);
+  const std::vector<int> number = number_free_dofs(layout);
+  BeamSystem system = empty_system(section, layout, number);
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    const Element element{
+        cell->vertex(0)[0],
+        cell->vertex(1)[0],
+        {number[2 * cell->vertex_index(0)], number[2 * cell->vertex_index(0) + 1],
+         number[2 * cell->vertex_index(1)], number[2 * cell->vertex_index(1) + 1]}};
+    add_element(section, layout, element, system);
+    const bool is_last = cell->at_boundary(1);
+    if (layout.observed_at >= element.left && (layout.observed_at < element.right || is_last))
+      observe(element, layout.observed_at, system);
   }
   return system;
 }

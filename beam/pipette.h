@@ -19,9 +19,9 @@ struct Pipette {
   double damping_beta = 0;          ///< stiffness-proportional Rayleigh damping [s]
 };
 
-/// Throws std::invalid_argument that names the value, the limit and the remedy unless the pipette is
-/// a tube (0 <= inner < outer diameter), slender enough for Euler-Bernoulli theory (length at least
-/// ten diameters), of positive modulus and density, and damped by nothing negative.
+/// Throws std::invalid_argument that names the value, the limit and the remedy unless the pipette
+/// is a tube (0 <= inner < outer diameter), slender enough for Euler-Bernoulli theory (length at
+/// least ten diameters), of positive modulus and density, and damped by nothing negative.
 void check(const Pipette& pipette);
 
 /// Second moment of area of the glass ring, pi (D^4 - d^4) / 64 [m^4].

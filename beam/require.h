@@ -11,7 +11,11 @@ inline void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
-inline bool is_positive(double value) { return std::isfinite(value) && value > 0; }
-inline bool is_not_negative(double value) { return std::isfinite(value) && value >= 0; }
+inline bool is_positive(double value) {
+  return std::isfinite(value) && value > 0;
+}
+inline bool is_not_negative(double value) {
+  return std::isfinite(value) && value >= 0;
+}
 
 }  // namespace zona::beam

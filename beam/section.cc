@@ -4,7 +4,9 @@
 
 namespace zona::beam {
 
-double UniformBeam::dispersion() const { return std::sqrt(flexural_rigidity / mass_per_length); }
+double UniformBeam::dispersion() const {
+  return std::sqrt(flexural_rigidity / mass_per_length);
+}
 
 Section section_of(const UniformBeam& beam) {
   return {beam.length, [beam](double) { return beam.flexural_rigidity; },

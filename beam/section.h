@@ -7,9 +7,9 @@ namespace zona::beam {
 /// Cross-section of a straight beam along its axis x [m], 0 <= x <= length. The finite elements
 /// evaluate it at their quadrature points only, so taper or a partial fill need no other change.
 struct Section {
-  double length = 0;                                  ///< [m]
+  double length = 0;                                ///< [m]
   std::function<double(double)> flexural_rigidity;  ///< EI(x) [N m^2]
-  std::function<double(double)> mass_per_length;      ///< rho_bar(x) [kg/m]
+  std::function<double(double)> mass_per_length;    ///< rho_bar(x) [kg/m]
 };
 
 /// Beam with the same cross-section everywhere: what the analytic solutions of 5.5 need.

@@ -12,14 +12,16 @@ namespace {
 
 void check_one(const SampledMotion& motion) {
   const auto& [time, displacement] = motion;
-  require(time.size() == displacement.size() && time.size() >= 2,
-          fmt::format("support motion: {} times and {} displacements, but both must be equally many "
-                      "and at least 2; give one displacement per time",
-                      time.size(), displacement.size()));
-  require(time.front() >= 0 && displacement.front() == 0,
-          fmt::format("support motion: the first sample is {} m at {} s, but the support rests at 0 "
-                      "before t = 0; begin with displacement 0 at a time >= 0",
-                      displacement.front(), time.front()));
+  require(
+      time.size() == displacement.size() && time.size() >= 2,
+      fmt::format("support motion: {} times and {} displacements, but both must be equally many "
+                  "and at least 2; give one displacement per time",
+                  time.size(), displacement.size()));
+  require(
+      time.front() >= 0 && displacement.front() == 0,
+      fmt::format("support motion: the first sample is {} m at {} s, but the support rests at 0 "
+                  "before t = 0; begin with displacement 0 at a time >= 0",
+                  displacement.front(), time.front()));
   for (std::size_t i = 0; i < time.size(); ++i) {
     require(std::isfinite(time[i]) && std::isfinite(displacement[i]),
             fmt::format("support motion: sample {} ({} m at {} s) is not finite; remove it", i,
@@ -32,10 +34,11 @@ void check_one(const SampledMotion& motion) {
 }
 
 void check_one(const SineMotion& motion) {
-  require(std::isfinite(motion.amplitude) && is_positive(motion.angular_frequency),
-          fmt::format("support motion: a sine of amplitude {} m at {} rad/s, but the amplitude must "
-                      "be finite and the angular frequency greater than 0",
-                      motion.amplitude, motion.angular_frequency));
+  require(
+      std::isfinite(motion.amplitude) && is_positive(motion.angular_frequency),
+      fmt::format("support motion: a sine of amplitude {} m at {} rad/s, but the amplitude must "
+                  "be finite and the angular frequency greater than 0",
+                  motion.amplitude, motion.angular_frequency));
 }
 
 /// Index of the first sample later than the time.
@@ -72,7 +75,9 @@ double velocity_of(const SineMotion& motion, double time) {
                         std::cos(motion.angular_frequency * time);
 }
 
-double smooth_acceleration_of(const SampledMotion&, double) { return 0; }
+double smooth_acceleration_of(const SampledMotion&, double) {
+  return 0;
+}
 
 double smooth_acceleration_of(const SineMotion& motion, double time) {
   const double omega = motion.angular_frequency;
@@ -98,7 +103,9 @@ double peak_displacement_of(const SampledMotion& motion) {
   return peak;
 }
 
-double peak_displacement_of(const SineMotion& motion) { return std::abs(motion.amplitude); }
+double peak_displacement_of(const SineMotion& motion) {
+  return std::abs(motion.amplitude);
+}
 
 double peak_velocity_of(const SampledMotion& motion) {
   double peak = 0;
@@ -114,8 +121,9 @@ double peak_velocity_of(const SineMotion& motion) {
 }  // namespace
 
 SupportMotion triangular_pulse(double peak, double duration) {
-  require(is_positive(duration),
-          fmt::format("triangular pulse: duration is {} s, but it must be greater than 0", duration));
+  require(
+      is_positive(duration),
+      fmt::format("triangular pulse: duration is {} s, but it must be greater than 0", duration));
   require(std::isfinite(peak),
           fmt::format("triangular pulse: peak is {} m, but it must be finite", peak));
   return SampledMotion{{0, duration / 2, duration}, {0, peak, 0}};

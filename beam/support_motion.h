@@ -6,15 +6,15 @@
 namespace zona::beam {
 
 /// Support displacement g(t) that is straight between samples, constant at the first value before
-/// the first sample and at the last value after the last one. Its acceleration is zero except at the
-/// kinks, where the slope jumps.
+/// the first sample and at the last value after the last one. Its acceleration is zero except at
+/// the kinks, where the slope jumps.
 struct SampledMotion {
   std::vector<double> time;          ///< strictly increasing [s]
   std::vector<double> displacement;  ///< [m]
 };
 
-/// g(t) = amplitude sin(angular_frequency t) for t >= 0, at rest before. The support of Figure 5.26:
-/// at t = 0 its velocity jumps to amplitude * angular_frequency.
+/// g(t) = amplitude sin(angular_frequency t) for t >= 0, at rest before. The support of
+/// Figure 5.26: at t = 0 its velocity jumps to amplitude * angular_frequency.
 struct SineMotion {
   double amplitude = 0;          ///< [m]
   double angular_frequency = 0;  ///< [rad/s]
@@ -29,8 +29,8 @@ struct Kink {
   double velocity_jump = 0;  ///< [m/s]
 };
 
-/// The piezo pulse of Figure 5.27: from 0 linearly to the peak [m] at half the duration [s] and back.
-/// Throws std::invalid_argument if the duration is not positive or the peak not finite.
+/// The piezo pulse of Figure 5.27: from 0 linearly to the peak [m] at half the duration [s] and
+/// back. Throws std::invalid_argument if the duration is not positive or the peak not finite.
 SupportMotion triangular_pulse(double peak, double duration);
 
 /// Throws std::invalid_argument, naming the sample, unless the samples are finite, as many as their

@@ -17,10 +17,10 @@ void SymmetricBand::add(int row, int column, double value) {
   const int low = std::min(row, column);
   const int high = std::max(row, column);
   if (low < 0 || high >= size() || high - low > kHalfBandwidth)
-    throw std::out_of_range(
-        fmt::format("band matrix: entry ({}, {}) lies outside the band of half width {} of a matrix "
-                    "of size {}; number the degrees of freedom along the beam",
-                    row, column, kHalfBandwidth, size()));
+    throw std::out_of_range(fmt::format(
+        "band matrix: entry ({}, {}) lies outside the band of half width {} of a matrix "
+        "of size {}; number the degrees of freedom along the beam",
+        row, column, kHalfBandwidth, size()));
   diagonal_[high - low](high) += value;
 }
 
@@ -64,9 +64,10 @@ void BandFactor::factorise(const SymmetricBand& matrix) {
       lower_[k](i) = unscaled * inverse(i - k);
       pivot -= unscaled * lower_[k](i);
     }
-    require(pivot > 0, fmt::format("band matrix: pivot {} of row {} is not positive; the beam needs "
-                                   "positive mass and rigidity everywhere and enough supports",
-                                   pivot, i));
+    require(pivot > 0,
+            fmt::format("band matrix: pivot {} of row {} is not positive; the beam needs "
+                        "positive mass and rigidity everywhere and enough supports",
+                        pivot, i));
     inverse(i) = 1 / pivot;
   }
 }

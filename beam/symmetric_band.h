@@ -36,15 +36,15 @@ class SymmetricBand {
   std::array<Eigen::VectorXd, kHalfBandwidth + 1> diagonal_;
 };
 
-/// L D L^T factors of a positive definite SymmetricBand: one division per row when it is factorised,
-/// none when it is solved.
+/// L D L^T factors of a positive definite SymmetricBand: one division per row when it is
+/// factorised, none when it is solved.
 class BandFactor {
  public:
   BandFactor() = default;
   explicit BandFactor(const SymmetricBand& matrix) { factorise(matrix); }
 
-  /// Allocates only if the size changes. Throws std::invalid_argument, naming the row, if the matrix
-  /// is not positive definite.
+  /// Allocates only if the size changes. Throws std::invalid_argument, naming the row, if the
+  /// matrix is not positive definite.
   void factorise(const SymmetricBand& matrix);
 
   /// Replaces the right-hand side by the solution, without allocating.
