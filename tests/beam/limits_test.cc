@@ -109,10 +109,10 @@ TEST_CASE("damped pulses: three integrators agree with the damped continuum") {
 
 TEST_CASE("an oscillator's impulse response is right from undamped to overdamped") {
   // Taylor series of x'' + 2 sigma x' + omega^2 x = 0 with x = 0, x' = 1, to rounding.
-  for (const double sigma : {0., 0.3, 0.999999999, 1., 1.000000001, 3., 40.}) {
+  for (const double sigma : {0., 0.3, 0.999999999, 1., 1.000000001, 3., 10.}) {
     const double omega = 1, time = 0.7;
     double a = 0, b = 1, term = 1, x = 0, v = 1;
-    for (int k = 1; k < 400; ++k) {
+    for (int k = 1; k < 200; ++k) {
       // derivatives: y_(k+1) = -omega^2 y_(k-1) - 2 sigma y_k
       const double next = -omega * omega * a - 2 * sigma * b;
       term *= time / k;
