@@ -1,1 +1,83 @@
-int main() { return 0; }
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "studies/commands.h"
+#include "studies/reference.h"
+#include "studies/version.h"
+
+namespace {
+
+using namespace zona::studies;
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command
+      .add_option("--set", overrides,
+                  "Override a parameter with a TOML value, e.g. --set 'grid.cell=\"4 um\"'")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_run(CLI::App& program, RunOptions& options, int& code) {
+  CLI::App& command = *program.add_subcommand("run", "Compute a study");
+  command.add_option("FILE", options.file, "Study file")->required();
+  CLI::Option* out = command.add_option(
+      "--out", options.out, "New directory for the results (default: runs/<name of FILE>)");
+  add_overrides(command, options.overrides);
+  command
+      .add_option("--threads", options.threads, "Number of threads (default: as the study says)")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--quiet", options.quiet, "Show no progress");
+  command.callback([&options, &code, out] {
+    options.out_given = out->count() > 0;
+    code = with_messages([&] { return run_study(options); });
+  });
+}
+
+void add_check(CLI::App& program, RunOptions& options, int& code) {
+  CLI::App& command =
+      *program.add_subcommand("check", "Validate a study and print its parameters in SI");
+  command.add_option("FILE", options.file, "Study file")->required();
+  add_overrides(command, options.overrides);
+  command.callback(
+      [&] { code = with_messages([&] { return check_study(options.file, options.overrides); }); });
+}
+
+int print(const std::string& text) {
+  std::cout << text;
+  return exit_ok;
+}
+
+void add_references(CLI::App& program, std::string& key, int& code) {
+  program.add_subcommand("list", "List the study kinds and the bundled study files")->callback([&] {
+    code = with_messages(list_studies);
+  });
+  CLI::App& help = *program.add_subcommand("help", "Explain a parameter, a table or a study kind");
+  help.add_option("KEY", key, "E.g. grid.cell, grid or piercing");
+  help.callback([&] {
+    code =
+        with_messages([&] { return print(key.empty() ? help_overview() : parameter_help(key)); });
+  });
+  program.add_subcommand("reference", "Write the reference of all parameters as Markdown")
+      ->callback([&] { code = with_messages([] { return print(parameter_reference()); }); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program("Piezo-ICSI from the voltage pulse to the pierced zona pellucida.", "zona");
+  program.set_version_flag("--version", "zona " + zona_version());
+  program.require_subcommand(1);
+  program.footer("Exit codes: 0 done, 2 the input is wrong, 3 the run failed, 130 interrupted.");
+  RunOptions options;
+  std::string key;
+  int code = exit_ok;
+  add_run(program, options, code);
+  add_check(program, options, code);
+  add_references(program, key, code);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? exit_ok : exit_bad_input;
+  }
+  return code;
+}

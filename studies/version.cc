@@ -1,1 +1,13 @@
-namespace zona::mpm {}
+#include "studies/version.h"
+
+namespace zona::studies {
+
+std::string zona_version() {
+  return ZONA_VERSION;
+}
+
+std::string compiler_version() {
+  return ZONA_COMPILER;
+}
+
+}  // namespace zona::studies

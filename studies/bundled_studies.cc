@@ -1,0 +1,43 @@
+#include "studies/bundled_studies.h"
+
+#include <algorithm>
+#include <fstream>
+
+namespace zona::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path study_directory() {
+  std::error_code failure;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "zona" / "studies";
+  return !failure && fs::is_directory(installed, failure) ? installed
+                                                          : fs::path(ZONA_STUDY_DIRECTORY);
+}
+
+std::string first_comment(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  const std::size_t text = line.find_first_not_of("# ");
+  const bool is_comment = !line.empty() && line.front() == '#' && text != std::string::npos;
+  return is_comment ? line.substr(text) : "";
+}
+
+}  // namespace
+
+std::vector<BundledStudy> bundled_studies() {
+  std::vector<BundledStudy> studies;
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(study_directory(), failure)) {
+    if (entry.path().extension() != ".toml") continue;
+    studies.push_back({entry.path(), first_comment(entry.path())});
+  }
+  std::sort(studies.begin(), studies.end(),
+            [](const BundledStudy& a, const BundledStudy& b) { return a.file < b.file; });
+  return studies;
+}
+
+}  // namespace zona::studies

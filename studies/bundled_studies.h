@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace zona::studies {
+
+/// A study file that comes with the program.
+struct BundledStudy {
+  std::filesystem::path file;
+  std::string description;  ///< its first comment line
+};
+
+/// The bundled study files by name: those installed next to the program, else those of its source.
+std::vector<BundledStudy> bundled_studies();
+
+}  // namespace zona::studies

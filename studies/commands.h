@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/study_kinds.h"
+
+namespace zona::studies {
+
+/// What the program answers its caller; others script against these numbers.
+enum ExitCode { exit_ok = 0, exit_bad_input = 2, exit_failed = 3, exit_interrupted = 130 };
+
+/// `zona run`.
+struct RunOptions {
+  std::filesystem::path file;
+  std::filesystem::path out;  ///< empty: runs/<name of the file>
+  bool out_given = false;
+  std::vector<std::string> overrides;  ///< key=TOML-value
+  int threads = 0;                     ///< 0: what the study says, or all
+  bool quiet = false;
+};
+
+/// Validates the study, then computes it in a new run directory. Throws InputError before anything
+/// is written; a failure later is reported, logged and gives exit_failed.
+int run_study(const RunOptions& options);
+
+/// Runs one study of a kind; `run_study` after validation.
+int run_configuration(const Configuration& study, const StudyKind& kind, const RunOptions& options);
+
+/// `zona check`: prints every parameter in SI and the cost estimate.
+int check_study(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// `zona list`: study kinds and bundled study files.
+int list_studies();
+
+/// Calls `command` and turns what it throws into messages on the error stream and an exit code.
+int with_messages(const std::function<int()>& command);
+
+}  // namespace zona::studies

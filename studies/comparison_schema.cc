@@ -1,0 +1,37 @@
+#include "studies/piercing_parameters.h"
+#include "studies/shared_parameters.h"
+#include "studies/study_kinds.h"
+
+namespace zona::studies {
+
+Schema make_comparison_schema() {
+  Schema schema("comparison",
+                "The same piercing with several fluids in the pipette, each driven by its own beam "
+                "(sections 5.4 and 5.5 joined).");
+  schema.section("fill", "What fills the bore of the pipette.");
+  declare_fill_fluids(schema);
+  schema.section("motion", "How the tip of the injection pipette moves: always as its beam.");
+  schema.choice("motion.kind", {"beam"}).doc("The tip of the beam in [beam].");
+  schema.choice("motion.axis", {"lateral"}).doc("A beam moves its tip across itself.");
+  schema.number("motion.scale", 1)
+      .in("[-1e6, 1e6]")
+      .doc("Factor on the displacement of the beam's tip.");
+  declare_window(schema);
+  declare_beam_drive(schema);
+  declare_grid(schema);
+  declare_zona(schema);
+  declare_fluids(schema);
+  declare_pipette_tip(schema);
+  declare_holding_plate(schema);
+  declare_piercing_run(schema);
+  check_piercing_geometry(schema);
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_steps("beam.step", "beam.end", study, complain);
+  });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_distinct("fill.fluids", study, complain);
+  });
+  return schema;
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "studies/configuration.h"
+#include "studies/schema.h"
+
+namespace zona::studies {
+
+/// The parts of a piercing that its study kinds share; each declares one or more tables.
+void declare_grid(Schema& schema);
+void declare_zona(Schema& schema);
+void declare_fluids(Schema& schema);
+void declare_pipette_tip(Schema& schema);
+void declare_holding_plate(Schema& schema);
+void declare_window(Schema& schema);
+void declare_beam_drive(Schema& schema);
+void declare_piercing_run(Schema& schema);
+
+/// Cross-checks of the geometry, common to all piercings.
+void check_piercing_geometry(Schema& schema);
+
+}  // namespace zona::studies

@@ -1,0 +1,114 @@
+#include "studies/progress.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace zona::studies {
+
+namespace {
+
+double steady_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+std::size_t terminal_width() {
+  winsize size = {};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string bar(double fraction) {
+  constexpr int width = 20;
+  const int filled = static_cast<int>(fraction * width);
+  return "[" + std::string(filled, '#') + std::string(width - filled, '.') + "]";
+}
+
+}  // namespace
+
+Progress::Mode Progress::suitable_mode(bool quiet) {
+  if (quiet) return Mode::quiet;
+  return isatty(STDERR_FILENO) != 0 ? Mode::live : Mode::lines;
+}
+
+Progress::Progress(Mode mode, std::ostream& stream) : Progress(mode, stream, steady_seconds) {}
+
+Progress::Progress(Mode mode, std::ostream& stream, Clock clock)
+    : mode_(mode), stream_(stream), clock_(std::move(clock)) {}
+
+Progress::~Progress() {
+  if (active_ && mode_ == Mode::live) stream_ << std::endl;
+}
+
+void Progress::start(const std::string& label, double total) {
+  if (active_) finish();
+  active_ = true;
+  label_ = label;
+  quantities_.clear();
+  total_ = total;
+  done_ = point_steps_ = shown_fraction_ = 0;
+  started_ = shown_at_ = clock_();
+}
+
+void Progress::update(double done, double point_steps, const std::string& quantities) {
+  done_ = done;
+  point_steps_ = point_steps;
+  if (mode_ == Mode::quiet || !active_) return;
+  const double now = clock_();
+  const double fraction = total_ > 0 ? done_ / total_ : 0;
+  const double waited = now - shown_at_;
+  const bool due = mode_ == Mode::live ? waited >= 0.2
+                                       : waited >= 10 || fraction >= shown_fraction_ + 0.1 - 1e-12;
+  quantities_ = quantities;
+  if (!due) return;
+  shown_at_ = now;
+  shown_fraction_ = std::floor(fraction * 10 + 1e-9) / 10;
+  show();
+}
+
+void Progress::finish() {
+  if (active_ && mode_ != Mode::quiet) {
+    const bool shown_already = mode_ == Mode::lines && shown_fraction_ >= 1;
+    if (!shown_already) show();
+    if (mode_ == Mode::live) stream_ << std::endl;
+  }
+  active_ = false;
+}
+
+std::string Progress::line() const {
+  const double fraction = total_ > 0 ? std::clamp(done_ / total_, 0.0, 1.0) : 0;
+  const double elapsed = clock_() - started_;
+  std::string text = fmt::format("{} {} {:3.0f} %", label_, bar(fraction), fraction * 100);
+  if (fraction >= 1) {
+    text += fmt::format("  took {}", duration_text(elapsed));
+  } else if (fraction > 0) {
+    text += fmt::format("  {} left", duration_text(elapsed * (1 - fraction) / fraction));
+  }
+  if (point_steps_ > 0 && elapsed > 0) {
+    text += fmt::format("  {:.3g} M point-steps/s", point_steps_ / elapsed * 1e-6);
+  }
+  return quantities_.empty() ? text : text + "  " + quantities_;
+}
+
+void Progress::show() {
+  if (mode_ == Mode::live) {
+    // A line that wraps could not be overwritten, so it ends before the terminal does.
+    stream_ << '\r' << line().substr(0, terminal_width() - 1) << "\x1b[K" << std::flush;
+  } else {
+    stream_ << line() << std::endl;
+  }
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long>(std::min(std::round(std::max(seconds, 0.0)), 1e9));
+  if (whole < 100) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+  return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace zona::studies

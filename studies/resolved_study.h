@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "studies/configuration.h"
+
+namespace zona::studies {
+
+/// The study as a file with every key, defaults marked by a comment. It loads to the same values
+/// from any directory: paths in it are absolute.
+std::string resolved_study(const Configuration& study);
+
+/// Every parameter with its value in SI and where it comes from, one per line, for reading.
+std::string si_table(const Configuration& study);
+
+}  // namespace zona::studies

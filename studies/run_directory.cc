@@ -1,0 +1,92 @@
+#include "studies/run_directory.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "studies/input_error.h"
+
+namespace zona::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void create_parents(const fs::path& directory) {
+  std::error_code failure;
+  const fs::path parent = fs::absolute(directory).parent_path();
+  fs::create_directories(parent, failure);
+  if (!failure) return;
+  throw InputError(directory.string(), fmt::format("cannot be created ({}); choose another place "
+                                                   "with --out DIR",
+                                                   failure.message()));
+}
+
+/// True when the directory was made, false when the name is taken.
+bool create_new(const fs::path& directory) {
+  std::error_code failure;
+  const bool created = fs::create_directory(directory, failure);
+  if (!failure) return created;
+  if (fs::exists(fs::symlink_status(directory))) return false;
+  throw InputError(directory.string(), fmt::format("cannot be created ({}); choose another place "
+                                                   "with --out DIR",
+                                                   failure.message()));
+}
+
+}  // namespace
+
+RunDirectory::RunDirectory(fs::path path) : path_(std::move(path)), log_(path_ / "log.txt") {
+  if (!log_) {
+    throw InputError(path_.string(), "cannot be written; choose another place with --out DIR");
+  }
+}
+
+RunDirectory RunDirectory::named(const fs::path& directory) {
+  if (directory.empty()) throw InputError("--out", "is empty; give the path of a directory");
+  // "results/" and "results" are the same directory, but only the second has a parent to create.
+  const fs::path path = directory.has_filename() ? directory : directory.parent_path();
+  create_parents(path);
+  if (create_new(path)) return RunDirectory(path);
+  std::error_code failure;
+  const bool usable = fs::is_directory(path, failure) && fs::is_empty(path, failure);
+  if (!usable || failure) {
+    throw InputError(directory.string(),
+                     "is there already and not an empty directory; delete it or choose another "
+                     "name with --out DIR");
+  }
+  return RunDirectory(path);
+}
+
+RunDirectory RunDirectory::for_study(const fs::path& study_file) {
+  const fs::path first = fs::path("runs") / study_file.stem();
+  create_parents(first);
+  if (create_new(first)) return RunDirectory(first);
+  for (int number = 2; number < 100000; ++number) {
+    const fs::path next = fmt::format("{}-{}", first.string(), number);
+    if (create_new(next)) return RunDirectory(next);
+  }
+  throw InputError("runs", "is full of runs; delete some or choose another place with --out DIR");
+}
+
+void RunDirectory::write(const std::string& name, const std::string& text) const {
+  const fs::path partial = file(name + ".partial");
+  std::ofstream stream(partial, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code failure;
+  if (stream) fs::rename(partial, file(name), failure);
+  if (!stream || failure) {
+    throw RunError(fmt::format("{} cannot be written; is the disk full?", file(name).string()));
+  }
+}
+
+void RunDirectory::log(const std::string& message) {
+  log_ << local_time() << "  " << message << std::endl;
+}
+
+std::string local_time() {
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(std::time(nullptr)));
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace zona::studies {
+
+/// The directory of one run and its log. Exists and is writable as long as the object lives.
+class RunDirectory {
+ public:
+  /// A directory that the user named. Throws InputError when it holds something or cannot be
+  /// written.
+  static RunDirectory named(const std::filesystem::path& directory);
+
+  /// runs/<stem of the study file> in the working directory, or the first of ...-2, ...-3 that is
+  /// free. Throws InputError when it cannot be written.
+  static RunDirectory for_study(const std::filesystem::path& study_file);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path file(const std::string& name) const { return path_ / name; }
+
+  /// Writes a whole file so that readers see the old or the new one, never a part. Throws RunError.
+  void write(const std::string& name, const std::string& text) const;
+
+  /// Adds a line with the time to log.txt. Call it from one thread.
+  void log(const std::string& message);
+
+ private:
+  explicit RunDirectory(std::filesystem::path path);
+
+  std::filesystem::path path_;
+  std::ofstream log_;
+};
+
+/// Local date and time, "2026-01-31 12:34:56".
+std::string local_time();
+
+}  // namespace zona::studies

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <chrono>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "studies/commands.h"
+#include "studies/interrupt.h"
+#include "studies/progress.h"
+#include "studies/resolved_study.h"
+#include "studies/run_directory.h"
+#include "studies/summary.h"
+#include "studies/version.h"
+
+namespace zona::studies {
+
+namespace {
+
+int choose_threads(const Configuration& study, const RunOptions& options) {
+  long threads = options.threads;
+  if (threads == 0 && study.has("run.threads")) threads = study.integer("run.threads");
+  return threads > 0 ? static_cast<int>(threads) : omp_get_num_procs();
+}
+
+RunDirectory make_directory(const RunOptions& options) {
+  return options.out_given ? RunDirectory::named(options.out)
+                           : RunDirectory::for_study(options.file);
+}
+
+/// Runs the study; whatever happens becomes a status, so that the summary is written in any case.
+void compute(const Configuration& study, const StudyKind& kind, Session& session,
+             RunOutcome& outcome) {
+  const Interrupt interrupt;
+  const auto started = std::chrono::steady_clock::now();
+  try {
+    kind.run(study, session);
+    outcome.status = Interrupt::requested() ? "interrupted" : "complete";
+  } catch (const std::exception& error) {
+    outcome.status = "failed";
+    outcome.message = error.what();
+  }
+  outcome.wall_time =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+}
+
+int report(const RunOutcome& outcome, RunDirectory& directory, bool quiet) {
+  const std::string end =
+      fmt::format("{} after {}", outcome.status, duration_text(outcome.wall_time));
+  directory.log(outcome.message.empty() ? end : end + ": " + outcome.message);
+  if (outcome.status == "failed") {
+    std::cerr << "zona: " << outcome.message << "\nwhat was computed until then is in "
+              << directory.path().string() << '\n';
+    return exit_failed;
+  }
+  if (!quiet) std::cerr << end << "; see " << directory.path().string() << '\n';
+  return outcome.status == "interrupted" ? exit_interrupted : exit_ok;
+}
+
+}  // namespace
+
+int run_configuration(const Configuration& study, const StudyKind& kind,
+                      const RunOptions& options) {
+  if (!kind.run) {
+    throw InputError(
+        study.where("study"),
+        fmt::format("this version of zona can check a {} study but not run it", study.kind()));
+  }
+  RunOutcome outcome;
+  outcome.threads = choose_threads(study, options);
+  outcome.started = local_time();
+  omp_set_num_threads(outcome.threads);
+  RunDirectory directory = make_directory(options);
+  directory.write("study.toml", resolved_study(study));
+  directory.log(fmt::format("zona {} ({}), {} study of {}, {} threads", zona_version(),
+                            compiler_version(), study.kind(), study.file().string(),
+                            outcome.threads));
+  nlohmann::json results = nlohmann::json::object();
+  {
+    Progress progress(Progress::suitable_mode(options.quiet), std::cerr);
+    Session session{directory, progress, results, outcome.threads};
+    compute(study, kind, session, outcome);
+  }
+  directory.write("summary.json", summary_text(study, outcome, results));
+  return report(outcome, directory, options.quiet);
+}
+
+int run_study(const RunOptions& options) {
+  const Configuration study = load_configuration(options.file, options.overrides);
+  return run_configuration(study, find_study_kind(study.kind()), options);
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "studies/configuration.h"
+#include "studies/schema.h"
+
+namespace zona::studies {
+
+/// Fluids that fill a pipette, by name, with their densities [kg/m^3] (Table 5.7).
+std::vector<NamedValue> fill_fluids();
+
+/// Keys that several study kinds share, with the same meaning. Each call declares some keys of the
+/// section that is open.
+void declare_pipette_bore(Schema& schema, const std::string& section);
+void declare_beam(Schema& schema, const std::string& section);
+void declare_fill_fluids(Schema& schema);
+void declare_pulse_form(Schema& schema);
+void declare_beam_integration(Schema& schema, const std::string& section);
+
+/// Complains unless the bore `section`.inner_diameter is narrower than the pipette.
+void check_bore(const std::string& section, const Configuration& study, const Complain& complain);
+
+/// Complains about values that a list has twice; each makes a run with a name of its own.
+void check_distinct(const std::string& key, const Configuration& study, const Complain& complain);
+
+/// Complains unless `step_key` goes into `end_key` at least once and at most 1e8 times.
+void check_steps(const std::string& step_key, const std::string& end_key,
+                 const Configuration& study, const Complain& complain);
+
+}  // namespace zona::studies

@@ -1,0 +1,26 @@
+#include "studies/study_kinds.h"
+
+#include <stdexcept>
+
+namespace zona::studies {
+
+const std::vector<StudyKind>& study_kinds() {
+  static const Schema vibration = make_vibration_schema();
+  static const Schema piercing = make_piercing_schema();
+  static const Schema comparison = make_comparison_schema();
+  static const std::vector<StudyKind> kinds = {
+      {&vibration, nullptr, nullptr},
+      {&piercing, nullptr, nullptr},
+      {&comparison, nullptr, nullptr},
+  };
+  return kinds;
+}
+
+const StudyKind& find_study_kind(const std::string& name) {
+  for (const StudyKind& kind : study_kinds()) {
+    if (kind.schema->kind() == name) return kind;
+  }
+  throw std::logic_error("there is no study kind " + name);
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/configuration.h"
+#include "studies/session.h"
+
+namespace zona::studies {
+
+/// Computes a study, writes its files into the session's run directory and its results into
+/// `session.results`. Polls Interrupt::requested() and then returns early, with what it has.
+/// Throws RunError when the computation cannot go on.
+using Runner = std::function<void(const Configuration&, Session&)>;
+
+/// What a study will cost (points, steps, time), in a few lines, without computing it.
+using CostEstimate = std::function<std::string(const Configuration&)>;
+
+/// A value of `study = "..."`.
+struct StudyKind {
+  const Schema* schema;   ///< its name, summary and keys; lives as long as the program
+  Runner run;             ///< empty while this program cannot run the kind
+  CostEstimate estimate;  ///< empty when there is none
+};
+
+/// All study kinds, in the order in which they are listed.
+const std::vector<StudyKind>& study_kinds();
+
+/// Throws std::logic_error for a kind that does not exist.
+const StudyKind& find_study_kind(const std::string& name);
+
+/// Declared in <kind>_schema.cc, one per kind.
+Schema make_vibration_schema();
+Schema make_piercing_schema();
+Schema make_comparison_schema();
+
+}  // namespace zona::studies

@@ -1,0 +1,48 @@
+#include "studies/shared_parameters.h"
+#include "studies/study_kinds.h"
+
+namespace zona::studies {
+
+Schema make_vibration_schema() {
+  Schema schema(
+      "vibration",
+      "How the tip of a pipette moves after a pulse at its support, by fluid and by pulse "
+      "duration (section 5.5).");
+  schema.section("pipette", "The injection pipette as a cantilever beam (Figure 5.24).");
+  declare_pipette_bore(schema, "pipette");
+  schema.quantity("pipette.density", "kg/m^3", "2300 kg/m^3")
+      .in("(0, 30000]")
+      .doc("Density of the glass (5.4); with the fluid it gives the mass per length of Table 5.5.");
+  declare_beam(schema, "pipette");
+
+  schema.section("fill", "What fills the bore.");
+  declare_fill_fluids(schema);
+
+  schema.section("pulse", "The lateral motion of the support.");
+  declare_pulse_form(schema);
+  schema
+      .quantities("pulse.durations", "s",
+                  {"60 us", "120 us", "180 us", "240 us", "300 us", "360 us", "420 us", "480 us",
+                   "540 us", "600 us"})
+      .in("(0, 1]")
+      .doc("Durations of the pulse, one run each (5.5: 60 to 600 us in steps of 60 us).");
+
+  schema.section("time", "Time integration of the beam.");
+  declare_beam_integration(schema, "time");
+
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_bore("pipette", study, complain);
+  });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_steps("time.step", "time.end", study, complain);
+  });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_distinct("fill.fluids", study, complain);
+  });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_distinct("pulse.durations", study, complain);
+  });
+  return schema;
+}
+
+}  // namespace zona::studies
