@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace zona::beam {
@@ -14,5 +15,16 @@ struct TipHistory {
   std::vector<double> acceleration;  ///< absolute tip acceleration [m/s^2]
   std::vector<double> support;       ///< displacement g(t) of the clamped support [m]
 };
+
+/// Deflection of the tip relative to the support, sample by sample [m].
+std::vector<double> relative_displacement(const TipHistory& history);
+
+/// Index of the value of greatest magnitude, the first of equals. The values must not be empty.
+std::size_t index_of_peak(const std::vector<double>& values);
+
+/// Dimensionless amplitude of Figure 5.28: greatest |absolute tip displacement| of the samples over
+/// the peak displacement of the support [m]. Throws std::invalid_argument if that peak is zero or
+/// there are no samples.
+double amplitude_ratio(const TipHistory& history, double support_peak);
 
 }  // namespace zona::beam

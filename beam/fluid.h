@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace zona::beam {
+
+/// What fills the bore of the pipette.
+struct Fluid {
+  std::string name;
+  double density = 0;  ///< [kg/m^3]
+};
+
+/// The fills of Table 5.7 and the empty pipette, in the order of increasing density.
+const std::vector<Fluid>& named_fluids();
+
+/// The named fluid; throws std::invalid_argument that lists the known names for any other.
+const Fluid& named_fluid(std::string_view name);
+
+}  // namespace zona::beam

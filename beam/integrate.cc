@@ -1,0 +1,75 @@
+#include "beam/integrate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beam/arkode_stepper.h"
+#include "beam/march.h"
+#include "beam/modal_stepper.h"
+#include "beam/natural_modes.h"
+#include "beam/newmark_stepper.h"
+#include "beam/require.h"
+
+namespace zona::beam {
+namespace {
+
+constexpr double kMostSamples = 1e8;
+
+TipHistory integrate_with(const Newmark& newmark, const BeamSystem& system,
+                          const SupportMotion& motion, const Sampling& sampling) {
+  require(newmark.steps_per_sample >= 1,
+          fmt::format("newmark: {} steps per sample, but at least 1 is needed",
+                      newmark.steps_per_sample));
+  NewmarkStepper stepper(system, motion, sampling.step / newmark.steps_per_sample);
+  return march(system.support_share, motion, sampling, stepper);
+}
+
+TipHistory integrate_with(const Modal& modal, const BeamSystem& system, const SupportMotion& motion,
+                          const Sampling& sampling) {
+  require(
+      modal.modes >= 0 && modal.modes <= system.size(),
+      fmt::format("modal superposition: {} modes, but this mesh has {}; use 0 for all or refine "
+                  "the mesh",
+                  modal.modes, system.size()));
+  const int count = modal.modes == 0 ? system.size() : modal.modes;
+  ModalStepper stepper(
+      oscillators(natural_modes(system), count, system.damping_alpha, system.damping_beta), motion,
+      sampling.step);
+  return march(system.support_share, motion, sampling, stepper);
+}
+
+TipHistory integrate_with(const Arkode& arkode, const BeamSystem& system,
+                          const SupportMotion& motion, const Sampling& sampling) {
+  require(is_positive(arkode.relative_tolerance) && is_positive(arkode.absolute_tolerance),
+          fmt::format("arkode: tolerances {} (relative) and {} m (absolute), but both must be "
+                      "greater than 0; 1e-6 and 1e-11 m suit the default pipette",
+                      arkode.relative_tolerance, arkode.absolute_tolerance));
+  ArkodeStepper stepper(system, motion, arkode);
+  return march(system.support_share, motion, sampling, stepper);
+}
+
+}  // namespace
+
+int sample_count(const Sampling& sampling) {
+  require(is_positive(sampling.step) && is_positive(sampling.end),
+          fmt::format("sampling: a step of {} s up to {} s, but both must be greater than 0",
+                      sampling.step, sampling.end));
+  const double intervals = std::ceil(sampling.end / sampling.step - 1e-6);
+  require(intervals < kMostSamples,
+          fmt::format("sampling: a step of {} s up to {} s makes {} samples, but at most {} are "
+                      "allowed; use a longer step",
+                      sampling.step, sampling.end, intervals, kMostSamples));
+  return std::max(1, static_cast<int>(intervals)) + 1;
+}
+
+TipHistory integrate(const BeamSystem& system, const SupportMotion& motion,
+                     const Sampling& sampling, const Integrator& integrator) {
+  check(motion);
+  return std::visit(
+      [&](const auto& chosen) { return integrate_with(chosen, system, motion, sampling); },
+      integrator);
+}
+
+}  // namespace zona::beam

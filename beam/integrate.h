@@ -1,0 +1,59 @@
+#pragma once
+
+#include <variant>
+
+#include "beam/beam_system.h"
+#include "beam/support_motion.h"
+#include "beam/tip_history.h"
+
+namespace zona::beam {
+
+/// Samples at 0, step, 2 step, ... up to the first that reaches the end.
+struct Sampling {
+  double end = 5e-3;     ///< [s]
+  double step = 0.6e-6;  ///< [s]
+};
+
+/// Newmark's method with average acceleration (beta 1/4, gamma 1/2): second order, unconditionally
+/// stable, conserves the energy of an undamped beam. The dissertation's choice, at 0.6 us.
+struct Newmark {
+  int steps_per_sample = 1;
+};
+
+/// Modal superposition, exact in time for any support motion here, with or without Rayleigh
+/// damping.
+struct Modal {
+  int modes = 0;  ///< the lowest ones are kept; 0 keeps all
+};
+
+/// Which Runge-Kutta family ARKODE uses. Every mode rings undamped, so accuracy and stability ask
+/// for steps of the same size and the explicit family wins; stiffness-proportional damping makes
+/// the beam truly stiff and calls for the implicit one.
+enum class RungeKutta {
+  explicit_8,  ///< Fehlberg 13(7, 8)
+  implicit_5,  ///< ESDIRK of order 5(4), stiffly accurate and L-stable
+};
+
+/// SUNDIALS ARKODE with adaptive steps that end on the kinks of the support motion.
+struct Arkode {
+  double relative_tolerance = 1e-6;
+  /// Of displacements [m]. Of rotations it is divided by the element length, of velocities by the
+  /// time in which the support covers its peak displacement at its peak speed.
+  double absolute_tolerance = 1e-11;
+  RungeKutta method = RungeKutta::explicit_8;
+};
+
+using Integrator = std::variant<Newmark, Modal, Arkode>;
+
+/// Number of samples, that at t = 0 included. Throws std::invalid_argument for a step or an end
+/// that is not positive, or more than a hundred million samples.
+int sample_count(const Sampling& sampling);
+
+/// Motion of the observed point of a beam at rest whose support begins to move at t = 0. Velocities
+/// at a kink are those just after it; accelerations leave the impulses at the kinks out. Throws
+/// std::invalid_argument for a bad motion, sampling or integrator, and std::runtime_error, with the
+/// time reached, if ARKODE gives up.
+TipHistory integrate(const BeamSystem& system, const SupportMotion& motion,
+                     const Sampling& sampling, const Integrator& integrator);
+
+}  // namespace zona::beam

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace zona::beam {
+
+/// Throws std::invalid_argument with the message unless the condition holds.
+inline void require(bool condition, const std::string& message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
+inline bool is_positive(double value) {
+  return std::isfinite(value) && value > 0;
+}
+inline bool is_not_negative(double value) {
+  return std::isfinite(value) && value >= 0;
+}
+
+}  // namespace zona::beam

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace zona::beam {
+
+/// Couplings of a Hermite beam element reach three degrees of freedom away.
+constexpr int kHalfBandwidth = 3;
+
+/// Symmetric banded matrix of half bandwidth 3, kept as its diagonals.
+class SymmetricBand {
+ public:
+  SymmetricBand() = default;
+  explicit SymmetricBand(int size);
+
+  int size() const { return static_cast<int>(diagonal_[0].size()); }
+
+  /// Adds to entry (row, column) = (column, row); throws std::out_of_range outside the band.
+  void add(int row, int column, double value);
+
+  /// Entry (row, column), zero outside the band.
+  double operator()(int row, int column) const;
+
+  /// result = A x, without allocating. The two must not be the same vector.
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& result) const;
+
+  /// this = a A + b B of two matrices of this size, without allocating.
+  void combine(double a, const SymmetricBand& A, double b, const SymmetricBand& B);
+
+  Eigen::MatrixXd dense() const;
+
+ private:
+  friend class BandFactor;
+  /// diagonal_[k](i) is entry (i, i - k); the first k values of diagonal k are zero.
+  std::array<Eigen::VectorXd, kHalfBandwidth + 1> diagonal_;
+};
+
+/// L D L^T factors of a positive definite SymmetricBand: one division per row when it is
+/// factorised, none when it is solved.
+class BandFactor {
+ public:
+  BandFactor() = default;
+  explicit BandFactor(const SymmetricBand& matrix) { factorise(matrix); }
+
+  /// Allocates only if the size changes. Throws std::invalid_argument, naming the row, if the
+  /// matrix is not positive definite.
+  void factorise(const SymmetricBand& matrix);
+
+  /// Replaces the right-hand side by the solution, without allocating.
+  void solve_in_place(Eigen::VectorXd& x) const;
+
+ private:
+  std::array<Eigen::VectorXd, kHalfBandwidth + 1> lower_;  ///< lower_[0] holds 1 / D
+};
+
+}  // namespace zona::beam

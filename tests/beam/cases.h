@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "beam/exact_cantilever.h"
+#include "beam/fluid.h"
+#include "beam/integrate.h"
+
+namespace zona::beam::test {
+
+/// Table 5.7 by name.
+inline Pipette pipette_with(const std::string& fluid, int elements = 20) {
+  Pipette pipette;
+  pipette.fill_density = named_fluid(fluid).density;
+  pipette.elements = elements;
+  return pipette;
+}
+
+/// One point of Figure 5.28.
+struct PulseCase {
+  std::string fluid;
+  double duration;  ///< [s]
+};
+
+inline std::vector<PulseCase> figure_5_28() {
+  std::vector<PulseCase> cases;
+  for (const Fluid& fluid : named_fluids())
+    for (int duration = 60; duration <= 600; duration += 60)
+      cases.push_back({fluid.name, duration * 1e-6});
+  return cases;
+}
+
+inline double greatest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double greatest = a.size() == b.size() ? 0 : INFINITY;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    greatest = std::max(greatest, std::abs(a[i] - b[i]));
+  return greatest;
+}
+
+/// Greatest difference that two solutions for the tip can have when the frequency of every mode
+/// differs by the given relative amount: after a kink each mode rings with amplitude share * jump /
+/// omega, and two sines drift apart by their phase, at most by 2. `relative_error` takes omega and
+/// alpha_n L.
+template <class RelativeError>
+double phase_error_bound(const ExactCantilever& exact, const SupportMotion& motion, double end,
+                         RelativeError&& relative_error) {
+  double bound = 0;
+  for (const Kink& kink : kinks(motion))
+    for (int mode = 1; mode <= exact.modes(); ++mode) {
+      const double omega = exact.angular_frequency(mode);
+      const double phase = omega * (end - kink.time) * relative_error(omega, exact.root(mode));
+      bound += std::abs(exact.tip_share(mode) * kink.velocity_jump) / omega * std::min(2., phase);
+    }
+  return bound;
+}
+
+}  // namespace zona::beam::test
