@@ -3,8 +3,6 @@ add_library(zona_compiler INTERFACE)
 # sqrt of eight lanes is one instruction only where it need not set errno.
 target_compile_options(zona_compiler INTERFACE -fno-math-errno)
 target_compile_options(zona_compiler INTERFACE -Wall -Wextra -Wpedantic
-  # GCC 12 sees uninitialized values inside its own AVX-512 intrinsics.
-  -Wno-maybe-uninitialized
   # Vectors of eight doubles are passed only between inlined functions, so their ABI never matters.
   -Wno-psabi
   # g++ 12 takes the deliberately undefined lanes of its own AVX-512 intrinsics for a mistake.

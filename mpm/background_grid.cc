@@ -32,7 +32,8 @@ BackgroundGrid::BackgroundGrid(const Eigen::Vector3d& origin, const Eigen::Vecto
       }
     }
   }
-  const std::size_t nodes = static_cast<std::size_t>(nodes_along_[0]) * nodes_along_[1] * nodes_along_[2];
+  const std::size_t nodes =
+      static_cast<std::size_t>(nodes_along_[0]) * nodes_along_[1] * nodes_along_[2];
   state.assign(nodes, Lanes{});
   updated.assign(nodes, HalfLanes{});
 }

@@ -33,9 +33,9 @@ inline constexpr double smallest_nodal_mass = 1e-30;
 
 /// The Eulerian background grid of section 3.2: cuboid cells with eight nodes each.
 ///
-/// A node holds eight numbers, one cache line: mass, momentum (3), force (3), mass times wave speed.
-/// Once the momentum is advanced they are mass, velocity at k+1 (3), acceleration (3). Node n of a
-/// cell lies at the corner whose x, y, z offsets are the bits 0, 1, 2 of n.
+/// A node holds eight numbers, one cache line: mass, momentum (3), force (3), mass times wave
+/// speed. Once the momentum is advanced they are mass, velocity at k+1 (3), acceleration (3). Node
+/// n of a cell lies at the corner whose x, y, z offsets are the bits 0, 1, 2 of n.
 class BackgroundGrid {
  public:
   /// `origin` is the lowest corner [m], `cell_size` the cell's edges [m]. Throws ModelError for an
@@ -57,7 +57,8 @@ class BackgroundGrid {
   /// Bricks that share no node with one another, for each of the eight colours.
   const std::array<std::vector<int>, 8>& bricks_by_colour() const { return by_colour_; }
 
-  /// The cell that contains a place, or negative indices where the place is outside (or not finite).
+  /// The cell that contains a place, or negative indices where the place is outside (or not
+  /// finite).
   std::array<int, 3> cell_at(double x, double y, double z) const;
   int brick_of(const std::array<int, 3>& cell) const;
   static int cell_in_brick(const std::array<int, 3>& cell);
@@ -72,8 +73,8 @@ class BackgroundGrid {
 
   std::vector<Lanes, AlignedAllocator<Lanes>> state;  ///< of each node, see above
   std::vector<HalfLanes, AlignedAllocator<HalfLanes>>
-      updated;  ///< momentum, then velocity, mapped back from the points (3.38)-(3.39); [3]: mass times
-                ///< shear wave speed
+      updated;  ///< momentum, then velocity, mapped back from the points (3.38)-(3.39); [3]: mass
+                ///< times shear wave speed
 
  private:
   Eigen::Vector3d origin_;

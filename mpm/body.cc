@@ -21,7 +21,8 @@ void Body::reorder_as_walked() {
   permute(points.id);
   std::visit(
       [&](auto& m) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(m)>, Membrane>) m.for_each_field(permute);
+        if constexpr (!std::is_same_v<std::decay_t<decltype(m)>, Membrane>)
+          m.for_each_field(permute);
       },
       material);
   cells.renumber_as_walked();

@@ -72,7 +72,8 @@ std::vector<int> touched_nodes(const BackgroundGrid& grid, const CellIndex& cell
   for (std::size_t b = 0; b < grid.bricks().size(); ++b) {
     for_each_cell(grid, static_cast<int>(b), cells.brick(static_cast<int>(b)),
                   [&](const Cell& cell, const int*, const int*, int) {
-                    for (int offset : grid.node_offsets()) nodes.push_back(cell.first_node + offset);
+                    for (int offset : grid.node_offsets())
+                      nodes.push_back(cell.first_node + offset);
                   });
   }
   std::sort(nodes.begin(), nodes.end());

@@ -5,8 +5,8 @@
 
 namespace zona::mpm {
 
-/// Which velocity components a face holds at zero: none for free and absorbing faces, the normal one
-/// for rollers, all for fixed faces.
+/// Which velocity components a face holds at zero: none for free and absorbing faces, the normal
+/// one for rollers, all for fixed faces.
 bool holds(FaceCondition condition, int normal_axis, int axis);
 
 /// Velocity and acceleration of the grid at the faces, after the momentum is advanced.
@@ -14,19 +14,20 @@ void hold_faces(BackgroundGrid& grid, const FaceConditions& faces);
 /// The same for the velocities mapped back from the points.
 void hold_updated_faces(BackgroundGrid& grid, const FaceConditions& faces);
 
-/// Viscous tractions -rho c v (5.43)-(5.50) on the nodes of absorbing faces, normal to the face with the
-/// primary and along it with the secondary wave speed of what touches the node.
+/// Viscous tractions -rho c v (5.43)-(5.50) on the nodes of absorbing faces, normal to the face
+/// with the primary and along it with the secondary wave speed of what touches the node.
 ///
-/// The source lets the points of the outermost layer act, (5.52)-(5.55), which puts half of the traction
-/// one cell inside and takes the velocity half a cell away: it sends back a fraction of order k h. On the
-/// face itself, where rho dS is 2 m_i / h for the lumped mass m_i, it is of order (k h)^2.
+/// The source lets the points of the outermost layer act, (5.52)-(5.55), which puts half of the
+/// traction one cell inside and takes the velocity half a cell away: it sends back a fraction of
+/// order k h. On the face itself, where rho dS is 2 m_i / h for the lumped mass m_i, it is of order
+/// (k h)^2.
 void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces);
 
 /// Nodes that the points of a body touch, each once, in ascending order.
 std::vector<int> touched_nodes(const BackgroundGrid& grid, const CellIndex& cells);
 
-/// Gives nodes a velocity [m/s] after the momentum is advanced by dt [s]; returns the momentum that it
-/// takes [N s].
+/// Gives nodes a velocity [m/s] after the momentum is advanced by dt [s]; returns the momentum that
+/// it takes [N s].
 Eigen::Vector3d override_velocity(BackgroundGrid& grid, const std::vector<int>& nodes,
                                   const Eigen::Vector3d& velocity, double dt);
 void override_updated_velocity(BackgroundGrid& grid, const std::vector<int>& nodes,

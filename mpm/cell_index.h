@@ -30,10 +30,11 @@ class CellIndex {
  public:
   /// Sorts all points into cells. Returns the first point outside the grid, or -1.
   int build(const BackgroundGrid& grid, const std::array<Field, 3>& position);
-  /// Moves the departed points of all bricks to their new cells. Returns the lowest-numbered brick's
-  /// first point outside the grid, or -1.
+  /// Moves the departed points of all bricks to their new cells. Returns the lowest-numbered
+  /// brick's first point outside the grid, or -1.
   int move_departed(const BackgroundGrid& grid, const std::array<Field, 3>& position);
 
+  int brick_count() const { return static_cast<int>(bricks_.size()); }
   BrickPoints& brick(int b) { return bricks_[b]; }
   const BrickPoints& brick(int b) const { return bricks_[b]; }
   /// Points in the order of bricks, cells and present storage: the order to store them in.

@@ -14,7 +14,8 @@ CriticalStep critical_step(const BackgroundGrid& grid, const std::vector<Body>& 
   };
   for (const auto& body : bodies) {
     const double c = body.wave_speed();
-    if (c > 0) consider(h / c, body, fmt::format("waves at {:.4g} m/s cross a cell of {:.4g} m", c, h));
+    if (c > 0)
+      consider(h / c, body, fmt::format("waves at {:.4g} m/s cross a cell of {:.4g} m", c, h));
     if (const auto* fluid = std::get_if<Fluid>(&body.material)) {
       const double mu = fluid->properties.shear_viscosity;
       if (mu > 0) {

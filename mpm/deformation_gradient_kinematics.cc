@@ -108,8 +108,10 @@ void DeformationGradientKinematics::follow(const std::array<Field, 3>& x, Surfac
 }
 
 LocalStrain DeformationGradientKinematics::local_strain(const PointGroup& group) const {
-  const VectorLanes f1{group.load(gradient_[0]), group.load(gradient_[1]), group.load(gradient_[2])};
-  const VectorLanes f2{group.load(gradient_[3]), group.load(gradient_[4]), group.load(gradient_[5])};
+  const VectorLanes f1{group.load(gradient_[0]), group.load(gradient_[1]),
+                       group.load(gradient_[2])};
+  const VectorLanes f2{group.load(gradient_[3]), group.load(gradient_[4]),
+                       group.load(gradient_[5])};
   const Lanes c11 = dot(f1, f1);
   const Lanes c22 = dot(f2, f2);
   const Lanes c12 = dot(f1, f2);

@@ -13,9 +13,9 @@ struct ArtificialViscosity {
 };
 
 struct FluidProperties {
-  double density;           ///< initial [kg/m^3]
-  StiffenedGas state;       ///< equation of state
-  double pressure = 0;      ///< initial [Pa]
+  double density;              ///< initial [kg/m^3]
+  StiffenedGas state;          ///< equation of state
+  double pressure = 0;         ///< initial [Pa]
   double shear_viscosity = 0;  ///< mu [Pa s]; the bulk viscosity is -2 mu / 3 (Stokes)
   ArtificialViscosity artificial_viscosity;
 };
@@ -27,17 +27,22 @@ struct Fluid {
   Fluid(const FluidProperties& properties, int points);
 
   FluidProperties properties;
-  double initial_energy;           ///< specific internal energy all points start with [J/kg]
-  Field density;                   ///< [kg/m^3]
-  Field internal_energy;           ///< specific [J/kg]
-  SymmetricTensorField stress;     ///< Cauchy [Pa]
+  double initial_energy;        ///< specific internal energy all points start with [J/kg]
+  Field density;                ///< [kg/m^3]
+  Field internal_energy;        ///< specific [J/kg]
+  SymmetricTensorField stress;  ///< Cauchy [Pa]
 
-  double wave_speed() const { return properties.state.sound_speed(properties.pressure, properties.density); }
+  double wave_speed() const {
+    return properties.state.sound_speed(properties.pressure, properties.density);
+  }
   double shear_wave_speed() const { return 0; }
-  Lanes volume(const PointGroup& group, const Lanes& mass) const { return mass / group.load(density); }
+  Lanes volume(const PointGroup& group, const Lanes& mass) const {
+    return mass / group.load(density);
+  }
   /// Steps density (4.37), internal energy (4.40) and stress (4.39) by dt. `length` is the
   /// characteristic length (4.46). Returns which points lost a positive density.
-  LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt, double length);
+  LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt,
+                  double length);
 
   template <class F>
   void for_each_field(F f) {
@@ -62,7 +67,8 @@ inline LaneMask Fluid::update(const PointGroup& group, const VelocityGradient& g
   const auto& artificial = properties.artificial_viscosity;
   if (artificial.quadratic > 0 || artificial.linear > 0) {
     const Lanes sound = square_root(larger(
-        (big_gamma + 1) * big_gamma * (old_energy - properties.state.p_infinity / old_density), Lanes{}));
+        (big_gamma + 1) * big_gamma * (old_energy - properties.state.p_infinity / old_density),
+        Lanes{}));
     q = divergence < 0.0 ? new_density * length *
                                (artificial.quadratic * length * divergence * divergence -
                                 artificial.linear * sound * divergence)

@@ -6,8 +6,8 @@
 
 namespace zona::mpm {
 
-/// Velocity and acceleration of the grid within one cell, as coefficients: [coefficient][field], fields
-/// as in BackgroundGrid::state.
+/// Velocity and acceleration of the grid within one cell, as coefficients: [coefficient][field],
+/// fields as in BackgroundGrid::state.
 struct CellField {
   alignas(64) double c[8][lane_count];
 
@@ -41,19 +41,18 @@ inline void note_departures(const PointGroup& group, const std::array<Lanes, 3>&
 /// Velocities and positions at k+1 of a group of points, from the grid (3.34)-(3.37).
 struct FreeMotion {
   template <class Material>
-  void operator()(Material&, MaterialPoints& points, const PointGroup& group, const CellField& field,
-                  const std::array<Lanes, 3>& natural, double dt, std::array<Lanes, 3>& velocity,
-                  std::array<Lanes, 3>& position) const {
+  void operator()(Material&, MaterialPoints& points, const PointGroup& group,
+                  const CellField& field, const std::array<Lanes, 3>& natural, double dt,
+                  std::array<Lanes, 3>& velocity, std::array<Lanes, 3>& position) const {
     for (int axis = 0; axis < 3; ++axis) {
       position[axis] += dt * field.velocity(axis, natural);
-      velocity[axis] =
-          group.load(points.velocity[axis]) + dt * field.acceleration(axis, natural);
+      velocity[axis] = group.load(points.velocity[axis]) + dt * field.acceleration(axis, natural);
     }
   }
 };
 
-/// The prescribed motion of a rigid body; its points' momentum that has to be supplied to keep it is
-/// added to `impulse` [N s].
+/// The prescribed motion of a rigid body; its points' momentum that has to be supplied to keep it
+/// is added to `impulse` [N s].
 struct PrescribedMotion {
   Eigen::Vector3d& impulse;
 
@@ -62,8 +61,7 @@ struct PrescribedMotion {
                   std::array<Lanes, 3>& velocity, std::array<Lanes, 3>& position) const {
     const Lanes mass = group.load(points.mass);
     for (int axis = 0; axis < 3; ++axis) {
-      const Lanes free =
-          group.load(points.velocity[axis]) + dt * field.acceleration(axis, natural);
+      const Lanes free = group.load(points.velocity[axis]) + dt * field.acceleration(axis, natural);
       velocity[axis] = broadcast(material.next.velocity[axis]);
       position[axis] =
           group.load(material.initial_position[axis]) + material.next.displacement[axis];

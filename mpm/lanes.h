@@ -8,7 +8,8 @@
 namespace zona::mpm {
 
 /// Eight doubles that are computed together: the eight nodes of a cell, the eight fields of a node,
-/// or eight points of a cell. One AVX-512 register; compilers split it where registers are narrower.
+/// or eight points of a cell. One AVX-512 register; compilers split it where registers are
+/// narrower.
 using Lanes = double __attribute__((vector_size(64)));
 /// Four doubles: the updated momentum of a node.
 using HalfLanes = double __attribute__((vector_size(32)));
@@ -17,7 +18,9 @@ using LaneMask = decltype(Lanes{} < Lanes{});
 
 inline constexpr int lane_count = 8;
 
-inline Lanes broadcast(double value) { return Lanes{} + value; }
+inline Lanes broadcast(double value) {
+  return Lanes{} + value;
+}
 
 inline Lanes load(const double* source) {
   Lanes lanes;
@@ -35,7 +38,9 @@ inline Lanes square_root(const Lanes& a) {
   return result;
 }
 
-inline Lanes larger(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+inline Lanes larger(const Lanes& a, const Lanes& b) {
+  return a > b ? a : b;
+}
 
 /// Whether any of the first `count` lanes is set.
 inline bool any(const LaneMask& mask, int count = lane_count) {
@@ -74,9 +79,7 @@ struct AlignedAllocator {
   AlignedAllocator() = default;
   template <class U>
   AlignedAllocator(const AlignedAllocator<U>&) {}
-  T* allocate(std::size_t n) {
-    return static_cast<T*>(::operator new(n * sizeof(T), alignment));
-  }
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
   void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
   bool operator==(const AlignedAllocator&) const { return true; }
   bool operator!=(const AlignedAllocator&) const { return false; }

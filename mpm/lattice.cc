@@ -8,18 +8,22 @@
 
 namespace zona::mpm {
 
-double Lattice::volume() const { return std::accumulate(volumes.begin(), volumes.end(), 0.0); }
+double Lattice::volume() const {
+  return std::accumulate(volumes.begin(), volumes.end(), 0.0);
+}
 
 Lattice fill_cells(const BackgroundGrid& grid, const std::array<int, 3>& per_cell,
                    const std::function<bool(const Eigen::Vector3d&)>& inside) {
   Lattice lattice;
   const auto& cells = grid.cells();
   const double volume = grid.cell_volume() / (per_cell[0] * per_cell[1] * per_cell[2]);
-  const std::array<int, 3> count{cells[0] * per_cell[0], cells[1] * per_cell[1], cells[2] * per_cell[2]};
+  const std::array<int, 3> count{cells[0] * per_cell[0], cells[1] * per_cell[1],
+                                 cells[2] * per_cell[2]};
   for (int k = 0; k < count[2]; ++k) {
     for (int j = 0; j < count[1]; ++j) {
       for (int i = 0; i < count[0]; ++i) {
-        const Eigen::Vector3d natural((i + 0.5) / per_cell[0], (j + 0.5) / per_cell[1], (k + 0.5) / per_cell[2]);
+        const Eigen::Vector3d natural((i + 0.5) / per_cell[0], (j + 0.5) / per_cell[1],
+                                      (k + 0.5) / per_cell[2]);
         const Eigen::Vector3d place = grid.origin() + grid.cell_size().cwiseProduct(natural);
         if (inside(place)) lattice.add(place, volume);
       }
@@ -28,14 +32,16 @@ Lattice fill_cells(const BackgroundGrid& grid, const std::array<int, 3>& per_cel
   return lattice;
 }
 
-Lattice box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const std::array<int, 3>& count) {
+Lattice box(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+            const std::array<int, 3>& count) {
   const Eigen::Vector3d spacing =
       (high - low).cwiseQuotient(Eigen::Vector3d(count[0], count[1], count[2]));
   Lattice lattice;
   for (int k = 0; k < count[2]; ++k) {
     for (int j = 0; j < count[1]; ++j) {
       for (int i = 0; i < count[0]; ++i) {
-        lattice.add(low + spacing.cwiseProduct(Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5)), spacing.prod());
+        lattice.add(low + spacing.cwiseProduct(Eigen::Vector3d(i + 0.5, j + 0.5, k + 0.5)),
+                    spacing.prod());
       }
     }
   }
@@ -54,8 +60,8 @@ Lattice tube(const Tube& t, int radial, int circumferential, int axial) {
       const double radius = t.inner_radius + (r + 0.5) * dr;
       for (int c = 0; c < circumferential; ++c) {
         const double theta = (c + 0.5) * dtheta;
-        const Eigen::Vector3d place = t.end + (a + 0.5) * dl * t.axis +
-                                      radius * (std::cos(theta) * u + std::sin(theta) * v);
+        const Eigen::Vector3d place =
+            t.end + (a + 0.5) * dl * t.axis + radius * (std::cos(theta) * u + std::sin(theta) * v);
         lattice.add(place, radius * dtheta * dr * dl);
       }
     }
@@ -80,7 +86,9 @@ TriangulatedSurface icosahedron() {
   }
   // Faces: the triples at mutual edge length, turned outward.
   const double edge = 2 / std::sqrt(1 + golden * golden);
-  const auto near = [&](int a, int b) { return std::abs((s.places[a] - s.places[b]).norm() - edge) < 1e-9; };
+  const auto near = [&](int a, int b) {
+    return std::abs((s.places[a] - s.places[b]).norm() - edge) < 1e-9;
+  };
   for (int a = 0; a < 12; ++a) {
     for (int b = a + 1; b < 12; ++b) {
       for (int c = b + 1; c < 12; ++c) {
@@ -96,7 +104,8 @@ TriangulatedSurface icosahedron() {
 void subdivide(TriangulatedSurface& s) {
   std::map<std::pair<int, int>, int> middle_of;
   const auto middle = [&](int a, int b) {
-    const auto [entry, is_new] = middle_of.try_emplace(std::minmax(a, b), static_cast<int>(s.places.size()));
+    const auto [entry, is_new] =
+        middle_of.try_emplace(std::minmax(a, b), static_cast<int>(s.places.size()));
     if (is_new) s.places.push_back((s.places[a] + s.places[b]).normalized());
     return entry->second;
   };
@@ -132,9 +141,11 @@ TriangulatedSurface sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& 
       const int p = v * count_u + u;
       // Alternate diagonals, so that the sheet prefers no direction.
       if ((u + v) % 2 == 0) {
-        s.triangles.insert(s.triangles.end(), {{p, p + 1, p + count_u + 1}, {p, p + count_u + 1, p + count_u}});
+        s.triangles.insert(s.triangles.end(),
+                           {{p, p + 1, p + count_u + 1}, {p, p + count_u + 1, p + count_u}});
       } else {
-        s.triangles.insert(s.triangles.end(), {{p, p + 1, p + count_u}, {p + 1, p + count_u + 1, p + count_u}});
+        s.triangles.insert(s.triangles.end(),
+                           {{p, p + 1, p + count_u}, {p + 1, p + count_u + 1, p + count_u}});
       }
     }
   }

@@ -21,20 +21,21 @@ struct Lattice {
   double volume() const;
 };
 
-/// A regular lattice of `per_cell` points along each axis in every cell of the grid, as far as `inside`
-/// says yes: boxes, spheres and what is left of them.
+/// A regular lattice of `per_cell` points along each axis in every cell of the grid, as far as
+/// `inside` says yes: boxes, spheres and what is left of them.
 Lattice fill_cells(const BackgroundGrid& grid, const std::array<int, 3>& per_cell,
                    const std::function<bool(const Eigen::Vector3d&)>& inside);
 
 /// Box [low, high) with `count` points along each axis, independent of the grid.
-Lattice box(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const std::array<int, 3>& count);
+Lattice box(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+            const std::array<int, 3>& count);
 
 struct Tube {
-  Eigen::Vector3d end;         ///< centre of the end that the axis starts from [m]
-  Eigen::Vector3d axis;        ///< unit vector from that end into the tube
-  double length;               ///< [m]
-  double inner_radius;         ///< [m]
-  double outer_radius;         ///< [m]
+  Eigen::Vector3d end;   ///< centre of the end that the axis starts from [m]
+  Eigen::Vector3d axis;  ///< unit vector from that end into the tube
+  double length;         ///< [m]
+  double inner_radius;   ///< [m]
+  double outer_radius;   ///< [m]
 };
 
 /// Points at the middle of `radial` x `circumferential` x `axial` equal divisions of a tube's wall.

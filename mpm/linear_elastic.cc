@@ -9,11 +9,13 @@ namespace zona::mpm {
 LinearElastic::LinearElastic(const ElasticProperties& p, int points)
     : properties(p), density(points, p.density) {
   if (!(p.density > 0) || !(p.youngs_modulus > 0)) {
-    throw ModelError(fmt::format("an elastic solid needs positive density and Young's modulus, got {} kg/m^3, {} Pa",
-                                 p.density, p.youngs_modulus));
+    throw ModelError(fmt::format(
+        "an elastic solid needs positive density and Young's modulus, got {} kg/m^3, {} Pa",
+        p.density, p.youngs_modulus));
   }
   if (!(p.poisson_ratio > -1 && p.poisson_ratio < 0.5)) {
-    throw ModelError(fmt::format("a solid's Poisson ratio must lie between -1 and 0.5, got {}", p.poisson_ratio));
+    throw ModelError(fmt::format("a solid's Poisson ratio must lie between -1 and 0.5, got {}",
+                                 p.poisson_ratio));
   }
   for (auto& component : stress) component.assign(points, 0.0);
 }

@@ -16,8 +16,9 @@ struct ElasticProperties {
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }
 };
 
-/// Isotropic linear elastic solid in rate form (3.41)-(3.42). The stress is turned with the material
-/// by the Jaumann rate, which the source omits: without it a turning body would make stress.
+/// Isotropic linear elastic solid in rate form (3.41)-(3.42). The stress is turned with the
+/// material by the Jaumann rate, which the source omits: without it a turning body would make
+/// stress.
 struct LinearElastic {
   static constexpr bool has_stress = true;
 
@@ -29,14 +30,18 @@ struct LinearElastic {
 
   /// Primary wave (5.46) [m/s].
   double wave_speed() const {
-    return std::sqrt((properties.lame_first() + 2 * properties.shear_modulus()) / properties.density);
+    return std::sqrt((properties.lame_first() + 2 * properties.shear_modulus()) /
+                     properties.density);
   }
   /// Secondary wave (5.47) [m/s].
   double shear_wave_speed() const {
     return std::sqrt(properties.shear_modulus() / properties.density);
   }
-  Lanes volume(const PointGroup& group, const Lanes& mass) const { return mass / group.load(density); }
-  LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt, double length);
+  Lanes volume(const PointGroup& group, const Lanes& mass) const {
+    return mass / group.load(density);
+  }
+  LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt,
+                  double length);
 
   template <class F>
   void for_each_field(F f) {

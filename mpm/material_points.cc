@@ -4,8 +4,8 @@
 
 namespace zona::mpm {
 
-MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places, const std::vector<double>& mass,
-                           const Eigen::Vector3d& velocity) {
+MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places,
+                           const std::vector<double>& mass, const Eigen::Vector3d& velocity) {
   MaterialPoints points;
   points.for_each_field([&](Field& field) { field.resize(places.size()); });
   for (std::size_t p = 0; p < places.size(); ++p) {

@@ -19,7 +19,8 @@ struct MaterialPoints {
   std::array<Field, 3> next_position;  ///< at the end of the running step [m]
   std::array<Field, 3> velocity;       ///< [m/s]
   Field mass;                          ///< [kg]
-  std::vector<int> id;  ///< the number a point had when it was made; storage is re-ordered, ids stay
+  std::vector<int>
+      id;  ///< the number a point had when it was made; storage is re-ordered, ids stay
 
   int size() const { return static_cast<int>(mass.size()); }
   Eigen::Vector3d position_of(int p) const {
@@ -38,7 +39,8 @@ struct MaterialPoints {
 };
 
 /// Points at the given places with the given masses [kg] and one velocity [m/s].
-MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places, const std::vector<double>& mass,
+MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places,
+                           const std::vector<double>& mass,
                            const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero());
 
 /// Up to eight points of one cell, worked on together. Spare lanes repeat the first point, so that

@@ -25,12 +25,14 @@ MembraneKinematics make_kinematics(bool objective, const MaterialPoints& points,
 
 void check(const MembraneProperties& p) {
   if (!(p.density > 0) || !(p.thickness > 0) || !(p.youngs_modulus > 0)) {
-    throw ModelError(fmt::format(
-        "a membrane needs positive density, thickness and Young's modulus, got {} kg/m^3, {} m, {} Pa",
-        p.density, p.thickness, p.youngs_modulus));
+    throw ModelError(
+        fmt::format("a membrane needs positive density, thickness and Young's modulus, got {} "
+                    "kg/m^3, {} m, {} Pa",
+                    p.density, p.thickness, p.youngs_modulus));
   }
   if (!(p.poisson_ratio > -1 && p.poisson_ratio < 1)) {
-    throw ModelError(fmt::format("a membrane's Poisson ratio must lie between -1 and 1, got {}", p.poisson_ratio));
+    throw ModelError(fmt::format("a membrane's Poisson ratio must lie between -1 and 1, got {}",
+                                 p.poisson_ratio));
   }
 }
 
@@ -57,8 +59,9 @@ Membrane::Membrane(const MembraneProperties& p, std::optional<Elastodamage> law,
 }
 
 double Membrane::wave_speed() const {
-  return std::sqrt(properties.youngs_modulus /
-                   (properties.density * (1 - properties.poisson_ratio * properties.poisson_ratio)));
+  return std::sqrt(
+      properties.youngs_modulus /
+      (properties.density * (1 - properties.poisson_ratio * properties.poisson_ratio)));
 }
 
 void Membrane::update_stress(const std::array<Field, 3>& position, double time, int threads) {
@@ -94,8 +97,8 @@ void Membrane::update_group(const K& k, const PointGroup& group, double time,
   for (int c = 0; c < 6; ++c) {
     const int i = row[c];
     const int j = column[c];
-    group.store(stress[c], s.xx * x[i] * x[j] + s.yy * y[i] * y[j] +
-                               s.xy * (x[i] * y[j] + y[i] * x[j]));
+    group.store(stress[c],
+                s.xx * x[i] * x[j] + s.yy * y[i] * y[j] + s.xy * (x[i] * y[j] + y[i] * x[j]));
   }
 }
 

@@ -6,13 +6,15 @@
 
 namespace zona::mpm {
 
-/// A membrane without bending stiffness (4.1): triangulated points in plane stress, with the one-way
-/// law and, optionally, elastodamage (5.3). Failed points keep their mass, lose their stress, and
-/// their triangles leave the normals. Its points are never re-ordered: triangles name them.
+/// A membrane without bending stiffness (4.1): triangulated points in plane stress, with the
+/// one-way law and, optionally, elastodamage (5.3). Failed points keep their mass, lose their
+/// stress, and their triangles leave the normals. Its points are never re-ordered: triangles name
+/// them.
 struct Membrane {
   static constexpr bool has_stress = true;
 
-  /// `objective` chooses DeformationGradientKinematics, else SummedStrainKinematics. Throws ModelError.
+  /// `objective` chooses DeformationGradientKinematics, else SummedStrainKinematics. Throws
+  /// ModelError.
   Membrane(const MembraneProperties& properties, std::optional<Elastodamage> damage_law,
            bool objective, const MaterialPoints& points, std::vector<Triangle> triangles);
 
@@ -32,7 +34,9 @@ struct Membrane {
   bool failed(int p) const { return integrity[p] == 0; }
   double wave_speed() const;
   double shear_wave_speed() const { return 0; }
-  Lanes volume(const PointGroup&, const Lanes& mass) const { return mass * (1 / properties.density); }
+  Lanes volume(const PointGroup&, const Lanes& mass) const {
+    return mass * (1 / properties.density);
+  }
   /// The strain increments from the grid; the stress follows in `update_stress`.
   LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt, double) {
     std::visit([&](auto& k) { k.accumulate(group, gradient, dt); }, kinematics);

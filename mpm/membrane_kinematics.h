@@ -15,9 +15,9 @@ struct LocalStrain {
   VectorLanes y;   ///< local y'
 };
 
-/// Kinematics of the source (4.4)-(4.21): the strain from the grid is summed in the fixed axes and seen
-/// in a local frame that the rotation S between successive point normals carries along.
-/// Not objective: an out-of-plane slope s appears as a tangential strain s^2/(1 + s^2).
+/// Kinematics of the source (4.4)-(4.21): the strain from the grid is summed in the fixed axes and
+/// seen in a local frame that the rotation S between successive point normals carries along. Not
+/// objective: an out-of-plane slope s appears as a tangential strain s^2/(1 + s^2).
 class SummedStrainKinematics {
  public:
   static constexpr bool uses_grid_strain = true;
@@ -39,9 +39,9 @@ class SummedStrainKinematics {
   }
 
  private:
-  SymmetricTensorField total_strain_;   ///< in the fixed axes [-]
-  std::array<Field, 3> normal_;         ///< z'
-  std::array<Field, 3> tangent_;        ///< x'
+  SymmetricTensorField total_strain_;  ///< in the fixed axes [-]
+  std::array<Field, 3> normal_;        ///< z'
+  std::array<Field, 3> tangent_;       ///< x'
   std::array<Field, 3> next_normal_;
 };
 
@@ -66,11 +66,12 @@ class DeformationGradientKinematics {
  private:
   void build_weights(int point, const Surface& surface);
 
-  std::vector<Eigen::Vector3d> reference_;     ///< initial positions [m]
-  std::vector<int> first_neighbour_;           ///< where each point's neighbours start
+  std::vector<Eigen::Vector3d> reference_;  ///< initial positions [m]
+  std::vector<int> first_neighbour_;        ///< where each point's neighbours start
   std::vector<int> neighbour_;
-  std::vector<std::array<double, 2>> weight_;  ///< F = sum over neighbours (x_n - x_p) (x) weight [1/m]
-  std::array<Field, 6> gradient_;              ///< F, columns x' and y': 3 + 3 components [-]
+  std::vector<std::array<double, 2>>
+      weight_;                     ///< F = sum over neighbours (x_n - x_p) (x) weight [1/m]
+  std::array<Field, 6> gradient_;  ///< F, columns x' and y': 3 + 3 components [-]
 };
 
 using MembraneKinematics = std::variant<SummedStrainKinematics, DeformationGradientKinematics>;

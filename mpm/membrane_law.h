@@ -20,14 +20,17 @@ struct MembraneProperties {
 };
 
 /// Isotropic elastodamage (5.9)-(5.11). The secant stiffness is E (1 + c_0 (exp(-c_1 omega) - 1)):
-/// (5.10) prints 2 c_0, with which the elastic limit given for a failure strain of 0.06 does not fit.
+/// (5.10) prints 2 c_0, with which the elastic limit given for a failure strain of 0.06 does not
+/// fit.
 struct Elastodamage {
   double c0 = 10;
   double c1 = 10;
   double elastic_limit = 0.05937;  ///< S_L, the principal strain at which damage begins [-]
 
   /// omega of (5.11) at a largest principal strain.
-  double damage(double strain) const { return strain > elastic_limit ? strain / elastic_limit - 1 : 0; }
+  double damage(double strain) const {
+    return strain > elastic_limit ? strain / elastic_limit - 1 : 0;
+  }
   /// Secant stiffness over the elastic one, in [0, 1]; zero means failed.
   double integrity(double damage) const {
     return std::max(0.0, 1 + c0 * (std::exp(-c1 * damage) - 1));
@@ -43,7 +46,8 @@ struct InPlane {
   Lanes xx, yy, xy;
 };
 
-/// Principal values, first >= second, and the direction of the first: cos and sin of twice its angle.
+/// Principal values, first >= second, and the direction of the first: cos and sin of twice its
+/// angle.
 struct Principal {
   Lanes first, second, cos2, sin2;
 };

@@ -11,7 +11,8 @@ enum class Drive {
   nodes    ///< every node that its points touch is overridden as well: much harsher
 };
 
-/// A rigid body whose translation is prescribed; a fixed body is one that stays. It carries no stress.
+/// A rigid body whose translation is prescribed; a fixed body is one that stays. It carries no
+/// stress.
 struct Prescribed {
   static constexpr bool has_stress = false;
 
@@ -22,10 +23,10 @@ struct Prescribed {
   double density;  ///< [kg/m^3]
   RigidMotion motion;
   Drive drive;
-  std::array<Field, 3> initial_position;  ///< [m]
-  RigidState next;                        ///< at the end of the running step
+  std::array<Field, 3> initial_position;               ///< [m]
+  RigidState next;                                     ///< at the end of the running step
   Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  ///< force on the surroundings [N], last step
-  std::vector<Eigen::Vector3d> brick_impulse;          ///< [N s], each brick's share of the running step
+  std::vector<Eigen::Vector3d> brick_impulse;  ///< [N s], each brick's share of the running step
 
   RigidState state(double time) const { return motion ? motion(time) : RigidState{}; }
   double wave_speed() const { return 0; }

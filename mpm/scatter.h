@@ -84,9 +84,8 @@ template <class Material>
 inline void scatter_cell(const Material& material, const MaterialPoints& points, const Cell& cell,
                          const int* begin, const int* end, BackgroundGrid& grid) {
   NodalSums sums;
-  for_each_group(begin, end, [&](const PointGroup& group) {
-    add_points(material, points, group, cell, sums);
-  });
+  for_each_group(begin, end,
+                 [&](const PointGroup& group) { add_points(material, points, group, cell, sums); });
   if (const double shear = material.shear_wave_speed(); shear > 0) {
     for (int n = 0; n < 8; ++n) {
       grid.updated[cell.first_node + grid.node_offsets()[n]][3] += shear * sums.mass[n];

@@ -5,8 +5,9 @@
 
 namespace zona::mpm {
 
-/// Trilinear shape functions of a cell (3.7)-(3.11), node n at the corner whose offsets are n's bits.
-/// With natural coordinates xi, eta, zeta in [0, 1], N_n is the product of xi or 1 - xi, and so on.
+/// Trilinear shape functions of a cell (3.7)-(3.11), node n at the corner whose offsets are n's
+/// bits. With natural coordinates xi, eta, zeta in [0, 1], N_n is the product of xi or 1 - xi, and
+/// so on.
 namespace trilinear {
 
 inline constexpr Lanes sign_x{-1, 1, -1, 1, -1, 1, -1, 1};
@@ -26,8 +27,8 @@ inline Factors factors(double xi, double eta, double zeta) {
   return {at_zero_x + sign_x * xi, at_zero_y + sign_y * eta, at_zero_z + sign_z * zeta};
 }
 
-/// From nodal values to the coefficients of 1, xi, eta, xi eta, zeta, xi zeta, eta zeta, xi eta zeta
-/// (index bits as for nodes), so that eight points at once are interpolated by Horner's rule.
+/// From nodal values to the coefficients of 1, xi, eta, xi eta, zeta, xi zeta, eta zeta, xi eta
+/// zeta (index bits as for nodes), so that eight points at once are interpolated by Horner's rule.
 template <class Value>
 void to_coefficients(Value (&c)[8]) {
   for (int bit = 1; bit < 8; bit *= 2) {
@@ -47,7 +48,8 @@ inline Lanes interpolate(const double* c, int stride, const std::array<Lanes, 3>
 }
 
 /// Derivatives with respect to the natural coordinates.
-inline std::array<Lanes, 3> derivatives(const double* c, int stride, const std::array<Lanes, 3>& s) {
+inline std::array<Lanes, 3> derivatives(const double* c, int stride,
+                                        const std::array<Lanes, 3>& s) {
   const auto at = [&](int k) { return c[k * stride]; };
   return {at(1) + at(3) * s[1] + s[2] * (at(5) + at(7) * s[1]),
           at(2) + at(3) * s[0] + s[2] * (at(6) + at(7) * s[0]),
@@ -89,7 +91,9 @@ void for_each_cell(const BackgroundGrid& grid, int b, const BrickPoints& points,
   for (int c = 0; c < Brick::cell_count; ++c) {
     const int begin = points.begin[c];
     const int end = points.begin[c + 1];
-    if (begin < end) f(make_cell(grid, grid.bricks()[b], c), points.points.data() + begin, points.points.data() + end, c);
+    if (begin < end)
+      f(make_cell(grid, grid.bricks()[b], c), points.points.data() + begin,
+        points.points.data() + end, c);
   }
 }
 

@@ -23,8 +23,9 @@ Solver::Solver(Model model, double step, int threads)
   const CriticalStep critical = critical_step(model_.grid, model_.bodies);
   if (!(step > 0)) throw ModelError(fmt::format("the time step must be positive, got {} s", step));
   if (step > critical.seconds) {
-    throw ModelError(fmt::format("a step of {:.4g} s is above the critical step of {:.4g} s: in '{}', {}",
-                                 step, critical.seconds, critical.body, critical.reason));
+    throw ModelError(
+        fmt::format("a step of {:.4g} s is above the critical step of {:.4g} s: in '{}', {}", step,
+                    critical.seconds, critical.body, critical.reason));
   }
   if (threads < 1) throw ModelError(fmt::format("at least one thread is needed, got {}", threads));
   for (auto& body : model_.bodies) {
@@ -34,7 +35,8 @@ Solver::Solver(Model model, double step, int threads)
     if (auto* rigid = std::get_if<Prescribed>(&body.material)) {
       const RigidState start = rigid->state(0);
       for (int axis = 0; axis < 3; ++axis) {
-        std::fill(body.points.velocity[axis].begin(), body.points.velocity[axis].end(), start.velocity[axis]);
+        std::fill(body.points.velocity[axis].begin(), body.points.velocity[axis].end(),
+                  start.velocity[axis]);
       }
       rigid->brick_impulse.resize(model_.grid.bricks().size());
     }
@@ -43,11 +45,11 @@ Solver::Solver(Model model, double step, int threads)
 
 void Solver::step() {
   prescribe_motion();
-  scatter();                           // (3.30)-(3.32)
-  advance_momentum();                  // (3.33)
-  gather_and_map_back();               // (3.34)-(3.39)
+  scatter();              // (3.30)-(3.32)
+  advance_momentum();     // (3.33)
+  gather_and_map_back();  // (3.34)-(3.39)
   apply_essential_conditions_again();
-  update_stress();                     // (3.40)-(3.42)
+  update_stress();  // (3.40)-(3.42)
   move_to_next_positions();
   ++steps_;
 }
@@ -153,7 +155,8 @@ void Solver::gather_and_map_back() {
     auto* rigid = std::get_if<Prescribed>(&body.material);
     if (!rigid) continue;
     for (std::size_t b = 0; b < rigid->brick_impulse.size(); ++b) {
-      if (!body.cells.brick(static_cast<int>(b)).empty()) rigid->reaction += rigid->brick_impulse[b] / dt_;
+      if (!body.cells.brick(static_cast<int>(b)).empty())
+        rigid->reaction += rigid->brick_impulse[b] / dt_;
     }
   }
 }
@@ -177,19 +180,21 @@ void Solver::apply_essential_conditions_again() {
 template <class Material>
 void Solver::update_brick(Material& material, Body& body, int b) {
   const double length = model_.grid.characteristic_length();
-  for_each_cell(model_.grid, b, body.cells.brick(b),
-                [&](const Cell& cell, const int* begin, const int* end, int) {
-                  const CellGradient gradient(model_.grid, cell);
-                  for_each_group(begin, end, [&](const PointGroup& group) {
-                    const auto natural = cell.natural(group.load(body.points.position));
-                    const LaneMask bad = material.update(group, gradient.at(natural), dt_, length);
-                    if (!any(bad, group.count())) return;
+  for_each_cell(
+      model_.grid, b, body.cells.brick(b),
+      [&](const Cell& cell, const int* begin, const int* end, int) {
+        const CellGradient gradient(model_.grid, cell);
+        for_each_group(begin, end, [&](const PointGroup& group) {
+          const auto natural = cell.natural(group.load(body.points.position));
+          const LaneMask bad = material.update(group, gradient.at(natural), dt_, length);
+          if (!any(bad, group.count())) return;
 #pragma omp critical
-                    for (int l = 0; l < group.count(); ++l) {
-                      if (bad[l]) bad_points_.push_back({static_cast<int>(&body - model_.bodies.data()), group[l]});
-                    }
-                  });
-                });
+          for (int l = 0; l < group.count(); ++l) {
+            if (bad[l])
+              bad_points_.push_back({static_cast<int>(&body - model_.bodies.data()), group[l]});
+          }
+        });
+      });
 }
 
 void Solver::update_stress() {
@@ -207,9 +212,9 @@ void Solver::update_stress() {
     }
   }
   if (!bad_points_.empty()) {
-    const auto first = *std::min_element(bad_points_.begin(), bad_points_.end(), [](auto& a, auto& b) {
-      return std::pair(a.body, a.point) < std::pair(b.body, b.point);
-    });
+    const auto first = *std::min_element(
+        bad_points_.begin(), bad_points_.end(),
+        [](auto& a, auto& b) { return std::pair(a.body, a.point) < std::pair(b.body, b.point); });
     fail_at(model_.bodies[first.body], first.point, "the density is not positive and finite");
   }
   for (auto& body : model_.bodies) {
@@ -250,8 +255,8 @@ const Body& Solver::body(const std::string& name) const {
 }
 
 void Solver::fail_at(const Body& body, int point, const std::string& what) const {
-  throw PointError(what, body.name, body.points.id[point], body.points.position_of(point), steps_ + 1,
-                   (steps_ + 1) * dt_);
+  throw PointError(what, body.name, body.points.id[point], body.points.position_of(point),
+                   steps_ + 1, (steps_ + 1) * dt_);
 }
 
 }  // namespace zona::mpm

@@ -12,18 +12,18 @@ namespace zona::mpm {
 struct Model {
   BackgroundGrid grid;
   std::vector<Body> bodies;
-  FaceConditions faces{};  ///< all free
+  FaceConditions faces{};                             ///< all free
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
 };
 
 /// Explicit material point method, MUSL variant, the algorithm of section 3.2.
 ///
-/// Results are the same to the last bit for any number of threads: bricks of one colour share no node,
-/// and every sum over points or bricks is taken in one order.
+/// Results are the same to the last bit for any number of threads: bricks of one colour share no
+/// node, and every sum over points or bricks is taken in one order.
 class Solver {
  public:
-  /// `step` in seconds; refused when it is above the critical step. Throws ModelError, and PointError
-  /// for points outside the grid.
+  /// `step` in seconds; refused when it is above the critical step. Throws ModelError, and
+  /// PointError for points outside the grid.
   Solver(Model model, double step, int threads = 1);
 
   void step();

@@ -22,7 +22,8 @@ SummedStrainKinematics::SummedStrainKinematics(const MaterialPoints& points, Sur
 void SummedStrainKinematics::accumulate(const PointGroup& group, const VelocityGradient& gradient,
                                         double dt) {
   const SymmetricTensorLanes rate = strain_rate(gradient);
-  for (int c = 0; c < 6; ++c) group.store(total_strain_[c], group.load(total_strain_[c]) + dt * rate[c]);
+  for (int c = 0; c < 6; ++c)
+    group.store(total_strain_[c], group.load(total_strain_[c]) + dt * rate[c]);
 }
 
 void SummedStrainKinematics::follow(const std::array<Field, 3>& position, Surface& surface,

@@ -33,16 +33,19 @@ Surface::Surface(std::vector<Triangle> triangles, const std::vector<Eigen::Vecto
   const int count = static_cast<int>(places.size());
   for (const auto& t : triangles_) {
     for (int v : t) {
-      if (v < 0 || v >= count) throw ModelError(fmt::format("a triangle names vertex {} of {}", v, count));
+      if (v < 0 || v >= count)
+        throw ModelError(fmt::format("a triangle names vertex {} of {}", v, count));
       ++first_around_[v + 1];
     }
     const Eigen::Vector3d normal = (places[t[1]] - places[t[0]]).cross(places[t[2]] - places[t[0]]);
     if (!(normal.norm() > 0)) {
-      throw ModelError(fmt::format("the triangle of vertices {}, {}, {} has no area", t[0], t[1], t[2]));
+      throw ModelError(
+          fmt::format("the triangle of vertices {}, {}, {} has no area", t[0], t[1], t[2]));
     }
   }
   for (int p = 0; p < count; ++p) {
-    if (first_around_[p + 1] == 0) throw ModelError(fmt::format("membrane point {} is in no triangle", p));
+    if (first_around_[p + 1] == 0)
+      throw ModelError(fmt::format("membrane point {} is in no triangle", p));
   }
   std::partial_sum(first_around_.begin(), first_around_.end(), first_around_.begin());
   std::vector<int> next(first_around_.begin(), first_around_.end() - 1);

@@ -23,8 +23,8 @@ inline VectorLanes scaled(const VectorLanes& a, const Lanes& s) {
   return {a[0] * s, a[1] * s, a[2] * s};
 }
 
-/// A triangulated surface whose vertices are the points of a membrane (4.1). Triangles are ordered by
-/// the right-hand rule: their normals point outward. A triangle with a failed vertex is dropped.
+/// A triangulated surface whose vertices are the points of a membrane (4.1). Triangles are ordered
+/// by the right-hand rule: their normals point outward. A triangle with a failed vertex is dropped.
 class Surface {
  public:
   /// Throws ModelError for vertices out of range, degenerate triangles or points in no triangle.

@@ -19,12 +19,13 @@ inline SymmetricTensorLanes strain_rate(const VelocityGradient& l) {
           0.5 * (l[2][0] + l[0][2])};
 }
 
-inline Lanes trace(const SymmetricTensorLanes& a) { return a[0] + a[1] + a[2]; }
+inline Lanes trace(const SymmetricTensorLanes& a) {
+  return a[0] + a[1] + a[2];
+}
 
 /// a : b
 inline Lanes contract(const SymmetricTensorLanes& a, const SymmetricTensorLanes& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
-         2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }
 
 }  // namespace zona::mpm

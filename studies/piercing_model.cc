@@ -50,7 +50,8 @@ mpm::Body rigid_body(const std::string& name, const mpm::Lattice& lattice, doubl
 std::array<int, 3> per_axis(int points_per_cell) {
   const int n = static_cast<int>(std::lround(std::cbrt(points_per_cell)));
   if (n < 1 || n * n * n != points_per_cell) {
-    throw mpm::ModelError(fmt::format("points per cell must be 1, 8, 27, 64, ..., got {}", points_per_cell));
+    throw mpm::ModelError(
+        fmt::format("points per cell must be 1, 8, 27, 64, ..., got {}", points_per_cell));
   }
   return {n, n, n};
 }
@@ -61,14 +62,17 @@ mpm::Body zona_body(const PiercingSetup& setup, const PiercingGeometry& geometry
   // s rho^m / N^P for each point (4.1).
   const double area = 4 * M_PI * geometry.egg_radius * geometry.egg_radius;
   const double mass = area * zona.membrane.thickness * zona.membrane.density / sphere.places.size();
-  const auto points = mpm::make_points(sphere.places, std::vector<double>(sphere.places.size(), mass));
+  const auto points =
+      mpm::make_points(sphere.places, std::vector<double>(sphere.places.size(), mass));
   mpm::Membrane membrane(zona.membrane, zona.damage, zona.objective, points, sphere.triangles);
   const double edge = membrane.surface.longest_edge(points.position);
   if (edge > setup.cell / 1.5) {
-    throw mpm::ModelError(fmt::format(
-        "the zona's points are up to {:.3g} um apart in cells of {:.3g} um: stretched by the pulse they would tear "
-        "numerically. At least 1.5 points per cell edge are needed: raise zona.level above {} or grid.cell above {:.3g} um",
-        edge * 1e6, setup.cell * 1e6, zona.level, 1.5 * edge * 1e6));
+    throw mpm::ModelError(
+        fmt::format("the zona's points are up to {:.3g} um apart in cells of {:.3g} um: stretched "
+                    "by the pulse they would tear "
+                    "numerically. At least 1.5 points per cell edge are needed: raise zona.level "
+                    "above {} or grid.cell above {:.3g} um",
+                    edge * 1e6, setup.cell * 1e6, zona.level, 1.5 * edge * 1e6));
   }
   return {"zona", points, std::move(membrane), {}};
 }
@@ -83,9 +87,10 @@ PiercingGeometry piercing_geometry(const PiercingSetup& setup) {
   const double length = plate + setup.zona.diameter + setup.pipette.tip_length;
   const double width = std::max(setup.zona.diameter, setup.plate.present ? setup.plate.side : 0.0);
   if (length > edge || width > edge) {
-    throw mpm::ModelError(fmt::format(
-        "plate, egg and tip are {:.4g} um long and {:.4g} um wide: they do not fit into a domain of {:.4g} um",
-        length * 1e6, width * 1e6, edge * 1e6));
+    throw mpm::ModelError(
+        fmt::format("plate, egg and tip are {:.4g} um long and {:.4g} um wide: they do not fit "
+                    "into a domain of {:.4g} um",
+                    length * 1e6, width * 1e6, edge * 1e6));
   }
   g.cells = {cells, cells, cells};
   g.egg_radius = setup.zona.diameter / 2;
@@ -108,14 +113,15 @@ mpm::Model build_piercing(const PiercingSetup& setup) {
            !(setup.plate.present && in_box(g.plate_low, g.plate_high, x));
   };
   model.bodies.push_back(zona_body(setup, g));
-  model.bodies.push_back(fluid_body(
-      "cytoplasm", setup.cytoplasm,
-      mpm::fill_cells(model.grid, per_axis(setup.cytoplasm.points_per_cell), in_egg)));
+  model.bodies.push_back(
+      fluid_body("cytoplasm", setup.cytoplasm,
+                 mpm::fill_cells(model.grid, per_axis(setup.cytoplasm.points_per_cell), in_egg)));
   model.bodies.push_back(
       fluid_body("medium", setup.medium,
                  mpm::fill_cells(model.grid, per_axis(setup.medium.points_per_cell), in_medium)));
   const auto& p = setup.pipette;
-  model.bodies.push_back(rigid_body("pipette", mpm::tube(g.tip, p.points[0], p.points[1], p.points[2]),
+  model.bodies.push_back(rigid_body("pipette",
+                                    mpm::tube(g.tip, p.points[0], p.points[1], p.points[2]),
                                     p.density, p.motion, p.drive));
   if (setup.plate.present) {
     const int across = static_cast<int>(std::lround(setup.plate.side / setup.cell));

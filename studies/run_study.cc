@@ -29,12 +29,11 @@ RunDirectory make_directory(const RunOptions& options) {
 }
 
 /// Runs the study; whatever happens becomes a status, so that the summary is written in any case.
-void compute(const Configuration& study, const StudyKind& kind, Session& session,
-             RunOutcome& outcome) {
+void compute(const Job& job, Session& session, RunOutcome& outcome) {
   const Interrupt interrupt;
   const auto started = std::chrono::steady_clock::now();
   try {
-    kind.run(study, session);
+    job(session);
     outcome.status = Interrupt::requested() ? "interrupted" : "complete";
   } catch (const std::exception& error) {
     outcome.status = "failed";
@@ -61,7 +60,7 @@ int report(const RunOutcome& outcome, RunDirectory& directory, bool quiet) {
 
 int run_configuration(const Configuration& study, const StudyKind& kind,
                       const RunOptions& options) {
-  if (!kind.run) {
+  if (!kind.prepare) {
     throw InputError(
         study.where("study"),
         fmt::format("this version of zona can check a {} study but not run it", study.kind()));
@@ -70,6 +69,7 @@ int run_configuration(const Configuration& study, const StudyKind& kind,
   outcome.threads = choose_threads(study, options);
   outcome.started = local_time();
   omp_set_num_threads(outcome.threads);
+  const Job job = kind.prepare(study);
   RunDirectory directory = make_directory(options);
   directory.write("study.toml", resolved_study(study));
   directory.log(fmt::format("zona {} ({}), {} study of {}, {} threads", zona_version(),
@@ -79,7 +79,7 @@ int run_configuration(const Configuration& study, const StudyKind& kind,
   {
     Progress progress(Progress::suitable_mode(options.quiet), std::cerr);
     Session session{directory, progress, results, outcome.threads};
-    compute(study, kind, session, outcome);
+    compute(job, session, outcome);
   }
   directory.write("summary.json", summary_text(study, outcome, results));
   return report(outcome, directory, options.quiet);

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "studies/piercing_study.h"
+
 namespace zona::studies {
 
 const std::vector<StudyKind>& study_kinds() {
@@ -10,8 +12,8 @@ const std::vector<StudyKind>& study_kinds() {
   static const Schema comparison = make_comparison_schema();
   static const std::vector<StudyKind> kinds = {
       {&vibration, nullptr, nullptr},
-      {&piercing, nullptr, nullptr},
-      {&comparison, nullptr, nullptr},
+      {&piercing, prepare_piercing, estimate_piercing},
+      {&comparison, prepare_comparison, estimate_comparison},
   };
   return kinds;
 }

@@ -12,7 +12,11 @@ namespace zona::studies {
 /// Computes a study, writes its files into the session's run directory and its results into
 /// `session.results`. Polls Interrupt::requested() and then returns early, with what it has.
 /// Throws RunError when the computation cannot go on.
-using Runner = std::function<void(const Configuration&, Session&)>;
+using Job = std::function<void(Session&)>;
+
+/// Finds everything that is wrong with a study that its schema could not see, before a file is
+/// written; throws InputError. Returns what is then to be done.
+using Prepare = std::function<Job(const Configuration&)>;
 
 /// What a study will cost (points, steps, time), in a few lines, without computing it.
 using CostEstimate = std::function<std::string(const Configuration&)>;
@@ -20,7 +24,7 @@ using CostEstimate = std::function<std::string(const Configuration&)>;
 /// A value of `study = "..."`.
 struct StudyKind {
   const Schema* schema;   ///< its name, summary and keys; lives as long as the program
-  Runner run;             ///< empty while this program cannot run the kind
+  Prepare prepare;        ///< empty while this program cannot run the kind
   CostEstimate estimate;  ///< empty when there is none
 };
 

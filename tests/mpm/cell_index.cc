@@ -44,7 +44,8 @@ TEST_CASE("The index kept up to date equals one built anew") {
   const Eigen::Vector3d size = grid.upper_corner() - grid.origin();
   std::array<Field, 3> x;
   for (int axis = 0; axis < 3; ++axis) {
-    for (int p = 0; p < 2000; ++p) x[axis].push_back(grid.origin()[axis] + size[axis] * unit(random));
+    for (int p = 0; p < 2000; ++p)
+      x[axis].push_back(grid.origin()[axis] + size[axis] * unit(random));
   }
   CellIndex index;
   REQUIRE(index.build(grid, x) == -1);
@@ -55,7 +56,8 @@ TEST_CASE("The index kept up to date equals one built anew") {
         for (int n = brick.begin[c]; n < brick.begin[c + 1]; ++n) {
           const int p = brick.points[n];
           if (unit(random) > 0.1) continue;
-          for (int axis = 0; axis < 3; ++axis) x[axis][p] = grid.origin()[axis] + size[axis] * unit(random);
+          for (int axis = 0; axis < 3; ++axis)
+            x[axis][p] = grid.origin()[axis] + size[axis] * unit(random);
           brick.departures.push_back({p, c});
         }
       }

@@ -16,11 +16,13 @@ TEST_CASE("A subdivided icosahedron is a closed outward sphere") {
   double area = 0, volume = 0;
   for (const auto& [a, b, c] : sphere.triangles) {
     const Vector3d o(1, 2, 3);
-    const Vector3d n = 0.5 * (sphere.places[b] - sphere.places[a]).cross(sphere.places[c] - sphere.places[a]);
+    const Vector3d n =
+        0.5 * (sphere.places[b] - sphere.places[a]).cross(sphere.places[c] - sphere.places[a]);
     area += n.norm();
     volume += n.dot(sphere.places[a] - o) / 3;
   }
-  // The inscribed polyhedron is second-order in the edge length h = 0.04: (h/R)^2/12 ~ 0.05 %... 0.2 %.
+  // The inscribed polyhedron is second-order in the edge length h = 0.04: (h/R)^2/12 ~ 0.05 %...
+  // 0.2 %.
   CHECK(area == Approx(4 * M_PI * 0.25).epsilon(0.002));
   CHECK(volume == Approx(4 * M_PI / 3 * 0.125).epsilon(0.004));
   CHECK(icosphere(Vector3d::Zero(), 1, 6).places.size() == 40962);

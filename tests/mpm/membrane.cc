@@ -24,9 +24,10 @@ struct SmallSheet {
   MaterialPoints points;
   Membrane membrane;
   SmallSheet(bool objective, std::optional<Elastodamage> law = {}, OneWay one_way = OneWay::off)
-      : SmallSheet(sheet(Vector3d::Zero(), Vector3d(1e-4, 0, 0), Vector3d(0, 1e-4, 0), 6, 5), objective,
-                   law, one_way) {}
-  SmallSheet(const TriangulatedSurface& s, bool objective, std::optional<Elastodamage> law, OneWay one_way)
+      : SmallSheet(sheet(Vector3d::Zero(), Vector3d(1e-4, 0, 0), Vector3d(0, 1e-4, 0), 6, 5),
+                   objective, law, one_way) {}
+  SmallSheet(const TriangulatedSurface& s, bool objective, std::optional<Elastodamage> law,
+             OneWay one_way)
       : points(make_points(s.places, std::vector<double>(s.places.size(), 1e-12))),
         membrane({1100, 8e-6, 17.9e3, 0.49, one_way}, law, objective, points, s.triangles) {}
   void deform(const Matrix3d& f, const Vector3d& shift = Vector3d::Zero()) {
@@ -54,7 +55,8 @@ TEST_CASE("Plane stress: taut, wrinkled and slack") {
     CHECK(s.xx[0] == Approx(plane * (0.02 + nu * 0.01)));
     CHECK(s.yy[0] == Approx(plane * (0.01 + nu * 0.02)));
   }
-  SECTION("a strip in uniaxial stress has modulus E; zeroing strains makes it 1/(1 - nu^2) too stiff") {
+  SECTION(
+      "a strip in uniaxial stress has modulus E; zeroing strains makes it 1/(1 - nu^2) too stiff") {
     CHECK(stress_at(0.01, -nu * 0.01, 0, OneWay::stress).xx[0] == Approx(e * 0.01));
     CHECK(stress_at(0.01, -nu * 0.01, 0, OneWay::strain).xx[0] == Approx(plane * 0.01));
     CHECK(plane / e == Approx(1.316).epsilon(1e-3));
@@ -119,7 +121,8 @@ TEST_CASE("The deformation gradient gives the principal stretches, whatever the 
   const double plane = 17.9e3 / (1 - 0.49 * 0.49);
   Matrix3d expected = Matrix3d::Zero();
   const Vector3d a = turn * axes.col(0), b = turn * axes.col(1);
-  expected = plane * (0.04 + 0.49 * 0.01) * a * a.transpose() + plane * (0.01 + 0.49 * 0.04) * b * b.transpose();
+  expected = plane * (0.04 + 0.49 * 0.01) * a * a.transpose() +
+             plane * (0.01 + 0.49 * 0.04) * b * b.transpose();
   constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
   for (int p = 0; p < s.points.size(); ++p) {
     CHECK(s.membrane.strain[p] == Approx(0.04).epsilon(1e-10));
@@ -129,7 +132,9 @@ TEST_CASE("The deformation gradient gives the principal stretches, whatever the 
   }
 }
 
-TEST_CASE("Summed strains: translation makes no stress, rotation a stress of second order in the angle per step") {
+TEST_CASE(
+    "Summed strains: translation makes no stress, rotation a stress of second order in the angle "
+    "per step") {
   // A rigid rotation given as exact velocity gradients of an explicit grid: the strain increments
   // are zero, and the local frame follows the normals.
   SmallSheet s(false);
@@ -144,8 +149,9 @@ TEST_CASE("Summed strains: translation makes no stress, rotation a stress of sec
   }
   s.deform(Matrix3d::Identity());
   CHECK(s.membrane.strain[7] == Approx(0.02).epsilon(1e-12));
-  // Turned about the stretched axis x the local strain stays, turned about y it does not: (4.10) sees the
-  // fixed-axes strain in the turned frame, cos^2(angle) of it. That is the source's lack of objectivity.
+  // Turned about the stretched axis x the local strain stays, turned about y it does not: (4.10)
+  // sees the fixed-axes strain in the turned frame, cos^2(angle) of it. That is the source's lack
+  // of objectivity.
   for (int step = 1; step <= 100; ++step) {
     s.deform(Eigen::AngleAxisd(0.01 * step, Vector3d::UnitX()).toRotationMatrix());
   }
@@ -179,7 +185,8 @@ TEST_CASE("The local frame follows the normals as the exact rotation does") {
   CHECK(std::abs(x.dot(y)) < 1e-14);
 }
 
-TEST_CASE("Failed points lose their stress, keep failing state, and their triangles leave the surface") {
+TEST_CASE(
+    "Failed points lose their stress, keep failing state, and their triangles leave the surface") {
   for (bool objective : {true}) {
     SmallSheet s(objective, Elastodamage{}, OneWay::stress);
     Matrix3d f = Vector3d(1.0595, 1, 1).asDiagonal();
@@ -189,7 +196,7 @@ TEST_CASE("Failed points lose their stress, keep failing state, and their triang
     const double weakened = s.membrane.stress[0][0];
     f = Vector3d(1.03, 1, 1).asDiagonal();  // unloading along the secant
     s.deform(f);
-    CHECK(s.membrane.stress[0][0] == Approx(weakened * 0.03 / 0.0595 ).epsilon(0.02));
+    CHECK(s.membrane.stress[0][0] == Approx(weakened * 0.03 / 0.0595).epsilon(0.02));
     f = Vector3d(1.061, 1, 1).asDiagonal();
     s.deform(f);
     CHECK(s.membrane.failed_points == s.points.size());
@@ -222,7 +229,10 @@ TEST_CASE("A failed point does not stretch its neighbours in objective kinematic
 TEST_CASE("Membranes that make no sense are refused") {
   const auto s = sheet(Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY(), 3, 3);
   const auto points = make_points(s.places, std::vector<double>(9, 1.0));
-  CHECK_THROWS_AS(Membrane({1100, 0, 17.9e3, 0.49, OneWay::off}, {}, false, points, s.triangles), ModelError);
-  CHECK_THROWS_AS(Membrane({1100, 1, 17.9e3, 1.0, OneWay::off}, {}, false, points, s.triangles), ModelError);
-  CHECK_THROWS_AS(Membrane(zona_like, Elastodamage{10, 10, 0}, false, points, s.triangles), ModelError);
+  CHECK_THROWS_AS(Membrane({1100, 0, 17.9e3, 0.49, OneWay::off}, {}, false, points, s.triangles),
+                  ModelError);
+  CHECK_THROWS_AS(Membrane({1100, 1, 17.9e3, 1.0, OneWay::off}, {}, false, points, s.triangles),
+                  ModelError);
+  CHECK_THROWS_AS(Membrane(zona_like, Elastodamage{10, 10, 0}, false, points, s.triangles),
+                  ModelError);
 }

@@ -64,10 +64,11 @@ TEST_CASE("The exact shock tube is the one of 4.4.1") {
 }
 
 TEST_CASE("Shock tube of 4.4.1 converges to the exact solution") {
-  // A captured shock and contact converge at first order at best in L1; with artificial viscosity the
-  // contact's layer gives about 0.8.
+  // A captured shock and contact converge at first order at best in L1; with artificial viscosity
+  // the contact's layer gives about 0.8.
   const TubeErrors coarse = shock_tube(100), fine = shock_tube(400);
-  INFO("L1 errors at 100 cells: " << coarse.density << " " << coarse.velocity << " " << coarse.pressure);
+  INFO("L1 errors at 100 cells: " << coarse.density << " " << coarse.velocity << " "
+                                  << coarse.pressure);
   INFO("L1 errors at 400 cells: " << fine.density << " " << fine.velocity << " " << fine.pressure);
   CHECK(std::log(coarse.density / fine.density) / std::log(4) > 0.6);
   CHECK(std::log(coarse.velocity / fine.velocity) / std::log(4) > 0.7);
@@ -140,9 +141,10 @@ double reflected_fraction(F right, int empty_cells) {
 }  // namespace
 
 TEST_CASE("Impact stress of Figure 5.13, whole tube and absorbing boundary") {
-  // Exact until the reflection from the far end arrives: -v Z1 Z2 / (Z1 + Z2), Z = rho c. The soft piston is
-  // resolved by so few cells that the stress rings by more than its mean; what the grid conserves is momentum,
-  // so the mean from the arrival on is exact up to the ringing's last, incomplete period.
+  // Exact until the reflection from the far end arrives: -v Z1 Z2 / (Z1 + Z2), Z = rho c. The soft
+  // piston is resolved by so few cells that the stress rings by more than its mean; what the grid
+  // conserves is momentum, so the mean from the arrival on is exact up to the ringing's last,
+  // incomplete period.
   const ElasticProperties piston{2000, 2e7, 0.2};
   const double z1 = 2000 * std::sqrt((piston.lame_first() + 2 * piston.shear_modulus()) / 2000);
   const double z2 = 1000 * WaterColumn().c;
@@ -175,7 +177,8 @@ TEST_CASE("A plate that moves as prescribed into water feels rho c v per area") 
     double impulse = 0, begin = 1e-4, end = 7e-4;
     while (solver.time() < end) {
       solver.step();
-      if (solver.time() > begin) impulse += solver.body("plate").prescribed()->reaction.x() * solver.step_size();
+      if (solver.time() > begin)
+        impulse += solver.body("plate").prescribed()->reaction.x() * solver.step_size();
     }
     CHECK(impulse / (end - begin) == Approx(1000 * c * v * h * h).epsilon(0.02));
     CHECK(solver.body("plate").points.position[0][0] - 0.1 < 0.1 + v * end);

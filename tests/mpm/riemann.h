@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-/// Exact solution of the Riemann problem for an ideal gas at rest on both sides, left pressure above
-/// the right one: rarefaction, contact, shock (Toro, Riemann Solvers, chapter 4).
+/// Exact solution of the Riemann problem for an ideal gas at rest on both sides, left pressure
+/// above the right one: rarefaction, contact, shock (Toro, Riemann Solvers, chapter 4).
 struct ShockTube {
   double gamma, rho_l, p_l, rho_r, p_r;
 
@@ -29,7 +29,8 @@ struct ShockTube {
   }
   double shock_speed() const {
     const double ratio = star_pressure() / p_r;
-    return sound(p_r, rho_r) * std::sqrt((gamma + 1) / (2 * gamma) * ratio + (gamma - 1) / (2 * gamma));
+    return sound(p_r, rho_r) *
+           std::sqrt((gamma + 1) / (2 * gamma) * ratio + (gamma - 1) / (2 * gamma));
   }
   /// At s = (x - x0) / t.
   State at(double s) const {

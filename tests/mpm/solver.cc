@@ -29,7 +29,8 @@ Model small_egg(FaceCondition face, bool objective = false, bool with_rod = true
 
   const auto sphere = icosphere(center, radius, 4);
   auto shell = make_points(sphere.places, std::vector<double>(sphere.places.size(), 4e-14));
-  Membrane membrane({1100, 8e-6, 17.9e3, 0.49, OneWay::stress}, Elastodamage{}, objective, shell, sphere.triangles);
+  Membrane membrane({1100, 8e-6, 17.9e3, 0.49, OneWay::stress}, Elastodamage{}, objective, shell,
+                    sphere.triangles);
   model.bodies.push_back({"shell", shell, std::move(membrane), {}});
   const auto add_fluid = [&](const char* name, const Lattice& lattice, double p_infinity) {
     auto points = make_points(lattice.places, masses(lattice, 1000));
@@ -37,13 +38,17 @@ Model small_egg(FaceCondition face, bool objective = false, bool with_rod = true
     model.bodies.push_back({name, std::move(points), std::move(fluid), {}});
   };
   add_fluid("inside", fill_cells(grid, {3, 3, 3}, in_egg), 2.12e8);
-  add_fluid("outside", fill_cells(grid, {1, 1, 1}, [&](const Vector3d& x) { return !in_egg(x) && !in_cube(x); }), 6.13e8);
+  add_fluid(
+      "outside",
+      fill_cells(grid, {1, 1, 1}, [&](const Vector3d& x) { return !in_egg(x) && !in_cube(x); }),
+      6.13e8);
   const auto cube = fill_cells(grid, {2, 2, 2}, in_cube);
   auto cube_points = make_points(cube.places, masses(cube, 1200));
   LinearElastic solid({1200, 1e6, 0.3}, cube_points.size());
   model.bodies.push_back({"cube", std::move(cube_points), std::move(solid), {}});
   if (with_rod) {
-    const auto rod = tube({center + Vector3d(radius, 0, 0), Vector3d::UnitX(), 1.5e-5, 2e-6, 5e-6}, 2, 20, 10);
+    const auto rod =
+        tube({center + Vector3d(radius, 0, 0), Vector3d::UnitX(), 1.5e-5, 2e-6, 5e-6}, 2, 20, 10);
     auto rod_points = make_points(rod.places, masses(rod, 26441));
     const RigidMotion motion = [](double t) { return RigidState{{0, 0.85 * t, 0}, {0, 0.85, 0}}; };
     Prescribed rigid(rod_points, 26441, motion);
@@ -55,7 +60,8 @@ Model small_egg(FaceCondition face, bool objective = false, bool with_rod = true
 Vector3d momentum_of(const Solver& solver) {
   Vector3d momentum = Vector3d::Zero();
   for (const auto& body : solver.bodies()) {
-    for (int p = 0; p < body.points.size(); ++p) momentum += body.points.mass[p] * body.points.velocity_of(p);
+    for (int p = 0; p < body.points.size(); ++p)
+      momentum += body.points.mass[p] * body.points.velocity_of(p);
   }
   return momentum;
 }
@@ -130,11 +136,15 @@ TEST_CASE("Energy in a closed box: motion turns into elastic and internal energy
   BackgroundGrid grid(Vector3d::Zero(), Vector3d::Constant(0.05), {n, 1, 1});
   const auto lattice = fill_cells(grid, {3, 3, 3}, [](const Vector3d&) { return true; });
   auto points = make_points(lattice.places, masses(lattice, 1000));
-  for (int p = 0; p < points.size(); ++p) points.velocity[0][p] = 0.1 * std::sin(M_PI * points.position[0][p]);
+  for (int p = 0; p < points.size(); ++p)
+    points.velocity[0][p] = 0.1 * std::sin(M_PI * points.position[0][p]);
   const FluidProperties water{1000, {4, 6.13e8}, 0, 0, {}};
   const double c = water.state.sound_speed(0, 1000);
   using F = FaceCondition;
-  Model model{grid, {}, {F::roller, F::roller, F::roller, F::roller, F::roller, F::roller}, Vector3d::Zero()};
+  Model model{grid,
+              {},
+              {F::roller, F::roller, F::roller, F::roller, F::roller, F::roller},
+              Vector3d::Zero()};
   Fluid fluid(water, points.size());
   model.bodies.push_back({"water", std::move(points), std::move(fluid), {}});
   const double dt = 0.05 * 0.05 / c;
@@ -160,8 +170,9 @@ TEST_CASE("Energy in a closed box: motion turns into elastic and internal energy
       period_of_minimum = solver.time();
     }
   }
-  // All motion is gone after a quarter period, L / (2 c), to within a step and the grid's dispersion,
-  // (pi/n)^2 / 24 = 0.1 %. Velocities and stresses are half a step apart: omega dt in the energy.
+  // All motion is gone after a quarter period, L / (2 c), to within a step and the grid's
+  // dispersion, (pi/n)^2 / 24 = 0.1 %. Velocities and stresses are half a step apart: omega dt in
+  // the energy.
   CHECK(std::abs(period_of_minimum - 0.5 / c) < dt + 0.001 * 0.5 / c);
   CHECK(smallest < 1e-3 * start);
   CHECK(std::abs(energy(kinetic) / start - 1) < M_PI * c * dt);
@@ -173,7 +184,8 @@ TEST_CASE("A step above the critical one is refused with the number that is allo
   CHECK(critical.body == "outside");
   CHECK(critical.seconds == Approx(1e-5 / 1750.7).epsilon(1e-4));
   CHECK_NOTHROW(Solver(model, critical.seconds));
-  CHECK_THROWS_WITH(Solver(model, 1.01 * critical.seconds), Catch::Contains("critical step of 5.712e-09 s"));
+  CHECK_THROWS_WITH(Solver(model, 1.01 * critical.seconds),
+                    Catch::Contains("critical step of 5.712e-09 s"));
   CHECK_THROWS_AS(Solver(model, 0), ModelError);
   CHECK_THROWS_AS(Solver(model, 1e-9, 0), ModelError);
 }
@@ -182,13 +194,18 @@ TEST_CASE("A point that leaves the grid and a NaN stop the run with their wherea
   Model leaving = small_egg(FaceCondition::free, false, false);
   for (double& v : leaving.bodies[3].points.velocity[0]) v = -100;
   Solver solver(std::move(leaving), 2e-9);
-  CHECK_THROWS_WITH([&] { for (int s = 0; s < 2000; ++s) solver.step(); }(),
-                    Catch::Contains("left the grid") && Catch::Contains("body 'cube'") && Catch::Contains("step"));
+  CHECK_THROWS_WITH(
+      [&] {
+        for (int s = 0; s < 2000; ++s) solver.step();
+      }(),
+      Catch::Contains("left the grid") && Catch::Contains("body 'cube'") &&
+          Catch::Contains("step"));
   Model sick = small_egg(FaceCondition::free, false, false);
   sick.bodies[1].points.velocity[1][5] = NAN;
   Solver second(std::move(sick), 2e-9);
   CHECK_THROWS_AS(second.step(), PointError);
   Model outside = small_egg(FaceCondition::free);
   outside.bodies[0].points.position[2][7] = 1;
-  CHECK_THROWS_WITH(Solver(std::move(outside), 2e-9), Catch::Contains("point 7") && Catch::Contains("outside the grid"));
+  CHECK_THROWS_WITH(Solver(std::move(outside), 2e-9),
+                    Catch::Contains("point 7") && Catch::Contains("outside the grid"));
 }

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Runs the default vibration with a runner of the test's own; the run directory is `out`.
-int run_with(const Runner& runner, const fs::path& out) {
+int run_with(const std::function<void(const Configuration&, Session&)>& runner,
+             const fs::path& out) {
   const ScratchDirectory scratch;
   const Configuration study = load_configuration(scratch.write("s.toml", "study = \"vibration\""));
   RunOptions options;
@@ -32,7 +33,10 @@ int run_with(const Runner& runner, const fs::path& out) {
   options.out_given = true;
   options.quiet = true;
   options.threads = 1;
-  return run_configuration(study, {&study.schema(), runner, nullptr}, options);
+  const Prepare prepare = [&runner](const Configuration& s) -> Job {
+    return [&runner, &s](Session& session) { runner(s, session); };
+  };
+  return run_configuration(study, {&study.schema(), prepare, nullptr}, options);
 }
 
 nlohmann::json summary_in(const fs::path& directory) {

@@ -1,0 +1,85 @@
+#include "mpm/diagnostics.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "mpm/errors.h"
+
+namespace zona::mpm {
+
+namespace {
+
+double stored_energy(const Fluid& m, const MaterialPoints& points, int p) {
+  return points.mass[p] * (m.internal_energy[p] - m.initial_energy);
+}
+
+/// sigma : C^-1 : sigma / 2 times the volume.
+double stored_energy(const LinearElastic& m, const MaterialPoints& points, int p) {
+  double trace = 0;
+  double square = 0;
+  for (int c = 0; c < 6; ++c) {
+    const double s = m.stress[c][p];
+    trace += c < 3 ? s : 0;
+    square += (c < 3 ? 1 : 2) * s * s;
+  }
+  const double nu = m.properties.poisson_ratio;
+  const double density =
+      ((1 + nu) * square - nu * trace * trace) / (2 * m.properties.youngs_modulus);
+  return density * points.mass[p] / m.density[p];
+}
+
+double stored_energy(const Membrane& m, const MaterialPoints& points, int p) {
+  return m.energy_density[p] * points.mass[p] / m.properties.density;
+}
+
+double stored_energy(const Prescribed&, const MaterialPoints&, int) {
+  return 0;
+}
+
+}  // namespace
+
+BodyTotals totals(const Body& body) {
+  std::vector<int> in_order(body.points.id.size());
+  for (std::size_t p = 0; p < in_order.size(); ++p)
+    in_order[body.points.id[p]] = static_cast<int>(p);
+  BodyTotals sum;
+  std::visit(
+      [&](const auto& material) {
+        for (int p : in_order) {
+          const Eigen::Vector3d v = body.points.velocity_of(p);
+          const double m = body.points.mass[p];
+          sum.mass += m;
+          sum.momentum += m * v;
+          sum.kinetic_energy += 0.5 * m * v.squaredNorm();
+          sum.stored_energy += stored_energy(material, body.points, p);
+        }
+      },
+      body.material);
+  return sum;
+}
+
+PressureRange cell_averaged_pressure(const Body& body) {
+  const auto* fluid = std::get_if<Fluid>(&body.material);
+  if (!fluid) throw ModelError("body '" + body.name + "' is no fluid: it has no pressure");
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  PressureRange range{infinity, -infinity};
+  for (int b = 0; b < body.cells.brick_count(); ++b) {
+    const BrickPoints& brick = body.cells.brick(b);
+    for (int c = 0; c < Brick::cell_count; ++c) {
+      if (brick.begin[c] == brick.begin[c + 1]) continue;
+      double force = 0;
+      double volume = 0;
+      for (int n = brick.begin[c]; n < brick.begin[c + 1]; ++n) {
+        const int p = brick.points[n];
+        const double v = body.points.mass[p] / fluid->density[p];
+        force -= v * (fluid->stress[0][p] + fluid->stress[1][p] + fluid->stress[2][p]) / 3;
+        volume += v;
+      }
+      range.lowest = std::min(range.lowest, force / volume);
+      range.highest = std::max(range.highest, force / volume);
+    }
+  }
+  return range;
+}
+
+}  // namespace zona::mpm

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "mpm/body.h"
+
+namespace zona::mpm {
+
+/// Sums over the points of a body, in the order of their ids, so that they do not depend on
+/// storage.
+struct BodyTotals {
+  double mass = 0;                                     ///< [kg]
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< [kg m/s]
+  double kinetic_energy = 0;                           ///< [J]
+  double stored_energy =
+      0;  ///< internal energy gained by a fluid, elastic energy of a solid or membrane [J]
+};
+
+BodyTotals totals(const Body& body);
+
+/// Smallest and largest pressure of a fluid averaged over cells, by volume [Pa]. Pressure at single
+/// points is noisy: linear shape functions do not see some of its patterns.
+struct PressureRange {
+  double lowest;
+  double highest;
+};
+PressureRange cell_averaged_pressure(const Body& fluid_body);
+
+}  // namespace zona::mpm

@@ -1,0 +1,46 @@
+#include "studies/damage.h"
+
+#include <algorithm>
+
+namespace zona::studies {
+
+DamageMeter::DamageMeter(const mpm::Body& zona, const mpm::Tube& tip)
+    : away_(zona.points.size(), 1),
+      counted_(zona.points.size(), 0),
+      clearance_(2 * tip.outer_radius) {
+  for (int p = 0; p < zona.points.size(); ++p) {
+    reference_.push_back(zona.points.position_of(p));
+    away_[p] = (reference_[p] - tip.end).norm() > tip.outer_radius + clearance_;
+  }
+}
+
+void DamageMeter::widen_hole(const mpm::Membrane& membrane) {
+  for (std::size_t f = 0; f < reference_.size(); ++f) {
+    if (!membrane.failed(static_cast<int>(f)) || counted_[f]) continue;
+    counted_[f] = 1;
+    for (std::size_t p = 0; p < reference_.size(); ++p) {
+      if (away_[p] && (reference_[p] - reference_[f]).norm() <= clearance_) away_[p] = 0;
+    }
+  }
+}
+
+ZonaDamage DamageMeter::measure(const mpm::Body& zona) {
+  const mpm::Membrane& membrane = *zona.membrane();
+  widen_hole(membrane);
+  ZonaDamage damage;
+  for (int p = 0; p < zona.points.size(); ++p) {
+    if (membrane.failed(p)) {
+      ++damage.failed_points;
+      damage.failed_area += membrane.reference_area[p];
+      continue;
+    }
+    damage.largest_strain = std::max(damage.largest_strain, membrane.strain[p]);
+    if (!away_[p]) continue;
+    damage.strain_away = std::max(damage.strain_away, membrane.strain[p]);
+    damage.largest_displacement =
+        std::max(damage.largest_displacement, (zona.points.position_of(p) - reference_[p]).norm());
+  }
+  return damage;
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "mpm/body.h"
+#include "studies/piercing_model.h"
+
+namespace zona::studies {
+
+/// What a pulse has done to the zona so far.
+struct ZonaDamage {
+  int failed_points = 0;
+  double failed_area = 0;     ///< undeformed area of the failed points [m^2]
+  double largest_strain = 0;  ///< largest principal strain of intact points [-]
+  double strain_away = 0;  ///< the same, further than a pipette diameter from hole and contact [-]
+  double largest_displacement = 0;  ///< of an intact point further than that [m]
+};
+
+/// Follows the zona through a run. "Away from the hole" is measured in the undeformed zona: further
+/// than one outer diameter of the pipette from every failed point and from the rim of the contact.
+class DamageMeter {
+ public:
+  DamageMeter(const mpm::Body& zona, const mpm::Tube& tip);
+
+  ZonaDamage measure(const mpm::Body& zona);
+
+ private:
+  void widen_hole(const mpm::Membrane& membrane);
+
+  std::vector<Eigen::Vector3d> reference_;
+  std::vector<char> away_;
+  std::vector<char> counted_;
+  double clearance_;
+};
+
+}  // namespace zona::studies

@@ -1,0 +1,214 @@
+#include "studies/piercing_case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beam/integrate.h"
+#include "beam/pipette.h"
+#include "coupling/prescribed_motion.h"
+#include "coupling/tip_motion.h"
+#include "coupling/tip_trace.h"
+#include "mpm/errors.h"
+#include "studies/piercing_values.h"
+
+namespace zona::studies {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// Runs f; what it finds wrong becomes an InputError at the key.
+template <class F>
+auto blaming(const Configuration& study, const std::string& key, F f) {
+  const auto refuse = [&](const std::exception& error) {
+    const int line = study.is_default(key) ? 0 : study.line_of(key);
+    throw InputError(std::vector<Problem>{{study.where(key), key, error.what(), line}});
+  };
+  try {
+    return f();
+  } catch (const std::logic_error& error) {  // invalid_argument, out_of_range, ModelError
+    refuse(error);
+  } catch (const std::runtime_error& error) {  // TraceError, FileError
+    refuse(error);
+  }
+  throw std::logic_error("unreachable");
+}
+
+PiercingSetup::FluidRegion fluid_region(const Configuration& study, const std::string& section) {
+  const auto of = [&](const char* key) { return section + "." + key; };
+  PiercingSetup::FluidRegion region{};
+  region.fluid.density = study.quantity(of("density"));
+  region.fluid.state = {study.number(of("grueneisen")), study.quantity(of("p_infinity"))};
+  region.fluid.shear_viscosity = study.quantity(of("viscosity"));
+  region.fluid.artificial_viscosity = {study.number(of("artificial_viscosity_quadratic")),
+                                       study.number(of("artificial_viscosity_linear"))};
+  region.points_per_cell = static_cast<int>(study.integer(of("points_per_cell")));
+  return region;
+}
+
+PiercingSetup::Zona zona_setup(const Configuration& study) {
+  PiercingSetup::Zona zona;
+  zona.diameter = study.quantity("zona.diameter");
+  zona.level = static_cast<int>(study.integer("zona.level"));
+  const std::string& one_way = study.choice("zona.one_way");
+  zona.membrane = {study.quantity("zona.density"), study.quantity("zona.thickness"),
+                   study.quantity("zona.youngs_modulus"), study.number("zona.poisson_ratio"),
+                   one_way == "stress"   ? mpm::OneWay::stress
+                   : one_way == "strain" ? mpm::OneWay::strain
+                                         : mpm::OneWay::off};
+  zona.damage.reset();
+  if (study.choice("zona.law") == "elastodamage") {
+    zona.damage = mpm::Elastodamage{study.number("zona.c0"), study.number("zona.c1"),
+                                    study.number("zona.elastic_limit")};
+  }
+  zona.objective = study.choice("zona.kinematics") == "objective";
+  return zona;
+}
+
+PiercingSetup::Pipette pipette_setup(const Configuration& study, double fluid_density) {
+  PiercingSetup::Pipette pipette;
+  pipette.outer_diameter = study.quantity("pipette.outer_diameter");
+  pipette.inner_diameter = study.quantity("pipette.inner_diameter");
+  pipette.tip_length = study.quantity("pipette.tip_length");
+  const auto points = study.integers("pipette.points");
+  for (int i = 0; i < 3; ++i) pipette.points[i] = static_cast<int>(points[i]);
+  pipette.density = pipette_point_density(study, fluid_density);
+  pipette.drive = study.choice("pipette.drive") == "nodes" ? mpm::Drive::nodes : mpm::Drive::points;
+  return pipette;
+}
+
+mpm::FaceCondition face_condition(const std::string& name) {
+  if (name == "free") return mpm::FaceCondition::free;
+  if (name == "fixed") return mpm::FaceCondition::fixed;
+  if (name == "roller") return mpm::FaceCondition::roller;
+  return mpm::FaceCondition::absorbing;
+}
+
+PiercingSetup piercing_setup(const Configuration& study, double fluid_density) {
+  PiercingSetup setup;
+  setup.cell = study.quantity("grid.cell");
+  setup.domain = study.quantity("grid.domain");
+  setup.zona = zona_setup(study);
+  setup.cytoplasm = fluid_region(study, "cytoplasm");
+  setup.medium = fluid_region(study, "medium");
+  setup.pipette = pipette_setup(study, fluid_density);
+  setup.plate = {study.boolean("plate.enabled"), study.quantity("plate.side"),
+                 static_cast<int>(study.integer("plate.thickness_cells")),
+                 study.quantity("plate.density")};
+  setup.faces = PiercingSetup::all_faces(face_condition(study.choice("boundary.kind")));
+  return setup;
+}
+
+/// Along the pipette into the egg, or across it.
+Vector3d motion_axis(const Configuration& study) {
+  return study.choice("motion.axis") == "axial" ? Vector3d(-1, 0, 0) : Vector3d(0, 1, 0);
+}
+
+/// The window of a history; the motion of the tip in it and, for an "auto" end, how long it is.
+void drive_by_history(const Configuration& study, PiercingCase& c) {
+  coupling::TipMotionOptions options;
+  if (!study.is_auto("motion.window_start")) options.start = study.quantity("motion.window_start");
+  options.start_fraction = study.number("motion.auto_fraction");
+  options.length = simulation_end(study);
+  options.scale = study.number("motion.scale");
+  options.axis = motion_axis(study);
+  options.ramp = study.quantity("motion.ramp");
+  const char* key =
+      study.is_auto("motion.window_start") ? "motion.window_length" : "motion.window_start";
+  const auto motion =
+      blaming(study, key, [&] { return coupling::TipMotion(*c.tip_history, options); });
+  c.window_start = motion.start();
+  c.setup.pipette.motion = motion;
+}
+
+void set_motion(const Configuration& study, PiercingCase& c) {
+  const std::string& kind = study.choice("motion.kind");
+  const Vector3d axis = motion_axis(study);
+  if (kind == "sine") {
+    c.setup.pipette.motion = coupling::rigid_motion(
+        coupling::SineMotion{motion_amplitude(study), study.quantity("motion.period"), axis,
+                             study.quantity("motion.ramp")});
+  } else if (kind == "triangle") {
+    c.setup.pipette.motion = coupling::rigid_motion(
+        coupling::TrianglePulse{motion_amplitude(study), study.quantity("motion.duration"), axis,
+                                study.quantity("motion.ramp")});
+  } else if (kind == "beam") {
+    c.tip_history = beam_tip_history(study, c.fluid_density);
+    c.support_peak = study.quantity("pulse.peak");
+    drive_by_history(study, c);
+  } else {
+    c.tip_history = blaming(study, "motion.trace", [&] {
+      return coupling::read_tip_trace(study.path("motion.trace").string());
+    });
+    drive_by_history(study, c);
+  }
+}
+
+/// The step that the study asks for; "auto" takes its fraction of the critical step.
+void set_step(const Configuration& study, PiercingCase& c) {
+  const auto model = blaming(study, "grid.domain", [&] { return build_piercing(c.setup); });
+  const auto critical = mpm::critical_step(model.grid, model.bodies);
+  c.critical_step = critical.seconds;
+  if (study.is_auto("time.step")) {
+    c.step = study.number("time.courant") * critical.seconds;
+    return;
+  }
+  c.step = study.quantity("time.step");
+  if (c.step <= critical.seconds) return;
+  blaming(study, "time.step", [&]() -> int {
+    throw mpm::ModelError(
+        fmt::format("{:.4g} ns is above the critical step of {:.4g} ns ({} of '{}'); choose at "
+                    "most that, or \"auto\"",
+                    c.step * 1e9, critical.seconds * 1e9, critical.reason, critical.body));
+  });
+}
+
+beam::Integrator integrator_of(const Configuration& study) {
+  const std::string& name = study.choice("beam.integrator");
+  if (name == "modal") return beam::Modal{};
+  if (name == "arkode") {
+    beam::Arkode arkode;
+    arkode.relative_tolerance = study.number("beam.relative_tolerance");
+    arkode.absolute_tolerance = study.quantity("beam.absolute_tolerance");
+    return arkode;
+  }
+  return beam::Newmark{};
+}
+
+}  // namespace
+
+beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density) {
+  return blaming(study, "beam.length", [&] {
+    beam::Pipette pipette;
+    pipette.length = study.quantity("beam.length");
+    pipette.outer_diameter = study.quantity("pipette.outer_diameter");
+    pipette.inner_diameter = study.quantity("pipette.inner_diameter");
+    pipette.youngs_modulus = study.quantity("beam.youngs_modulus");
+    pipette.density = study.quantity("pipette.density");
+    pipette.fill_density = fluid_density;
+    pipette.elements = static_cast<int>(study.integer("beam.elements"));
+    pipette.damping_alpha = study.quantity("beam.rayleigh_alpha");
+    pipette.damping_beta = study.quantity("beam.rayleigh_beta");
+    const auto pulse =
+        beam::triangular_pulse(study.quantity("pulse.peak"), study.quantity("pulse.duration"));
+    return beam::integrate(beam::cantilever(pipette), pulse,
+                           {study.quantity("beam.end"), study.quantity("beam.step")},
+                           integrator_of(study));
+  });
+}
+
+PiercingCase make_piercing_case(const Configuration& study, const std::string& fluid,
+                                double fluid_density) {
+  PiercingCase c;
+  c.fluid = fluid;
+  c.fluid_density = fluid_density;
+  c.setup = piercing_setup(study, fluid_density);
+  c.end = simulation_end(study);
+  set_motion(study, c);
+  set_step(study, c);
+  return c;
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "beam/tip_history.h"
+#include "studies/configuration.h"
+#include "studies/piercing_model.h"
+
+namespace zona::studies {
+
+/// One piercing, ready to run: everything that can be wrong with the input has been found.
+struct PiercingCase {
+  std::string fluid;         ///< name or density as the user wrote it
+  double fluid_density = 0;  ///< [kg/m^3]
+  PiercingSetup setup;
+  double critical_step = 0;  ///< [s]
+  double step = 0;           ///< [s]
+  double end = 0;            ///< [s]
+  /// The tip's history that drives the pipette, of a beam or a trace, and where its window starts
+  /// [s].
+  std::optional<beam::TipHistory> tip_history;
+  double window_start = 0;
+  double support_peak = 0;  ///< of the pulse that drove the beam [m]
+};
+
+/// The case that a piercing or comparison study describes for one fill. Integrates the beam or
+/// reads the trace where the motion asks for it. Throws InputError, naming file and line.
+PiercingCase make_piercing_case(const Configuration& study, const std::string& fluid,
+                                double fluid_density);
+
+/// The pipette of a study's [beam] table with its bore full of a fluid [kg/m^3], driven by its
+/// [pulse].
+beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density);
+
+}  // namespace zona::studies

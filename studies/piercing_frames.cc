@@ -1,0 +1,48 @@
+#include "studies/piercing_frames.h"
+
+namespace zona::studies {
+
+namespace {
+
+/// A scalar of every point, put in the order of ids.
+template <class F>
+std::vector<double> by_id(const mpm::Body& body, F value) {
+  std::vector<double> ordered(body.points.id.size());
+  for (int p = 0; p < body.points.size(); ++p) ordered[body.points.id[p]] = value(p);
+  return ordered;
+}
+
+std::vector<double> vectors_by_id(const mpm::Body& body, const std::array<mpm::Field, 3>& field) {
+  std::vector<double> ordered(3 * body.points.id.size());
+  for (int p = 0; p < body.points.size(); ++p) {
+    for (int axis = 0; axis < 3; ++axis) ordered[3 * body.points.id[p] + axis] = field[axis][p];
+  }
+  return ordered;
+}
+
+mpm::PointCloud draw_body(const mpm::Body& body) {
+  mpm::PointCloud cloud{body.name, vectors_by_id(body, body.points.position), {}, {}};
+  if (const mpm::Membrane* membrane = body.membrane()) {
+    cloud.triangles = membrane->surface.triangles();
+    cloud.fields["failed"] = by_id(body, [&](int p) { return membrane->failed(p) ? 1.0 : 0.0; });
+    cloud.fields["strain"] = by_id(body, [&](int p) { return membrane->strain[p]; });
+    cloud.fields["damage"] = by_id(body, [&](int p) { return 1 - membrane->integrity[p]; });
+  }
+  if (const auto* fluid = std::get_if<mpm::Fluid>(&body.material)) {
+    const auto& s = fluid->stress;
+    cloud.fields["pressure"] =
+        by_id(body, [&](int p) { return -(s[0][p] + s[1][p] + s[2][p]) / 3; });
+  }
+  if (!body.prescribed()) cloud.fields["velocity"] = vectors_by_id(body, body.points.velocity);
+  return cloud;
+}
+
+}  // namespace
+
+std::vector<mpm::PointCloud> draw(const mpm::Solver& solver) {
+  std::vector<mpm::PointCloud> clouds;
+  for (const auto& body : solver.bodies()) clouds.push_back(draw_body(body));
+  return clouds;
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "studies/piercing_case.h"
+#include "studies/session.h"
+
+namespace zona::studies {
+
+/// When a piercing writes what [s].
+struct OutputPlan {
+  double history_interval = 1e-7;
+  double fields_interval = 4e-6;
+  bool fields = true;
+};
+
+OutputPlan output_plan(const Configuration& study);
+
+/// Runs one piercing and writes history.csv, fields.h5, fields.xdmf and, for a tip history, tip.csv
+/// into an existing directory. Returns its entry of summary.json; when interrupted, of what was
+/// computed. A point that goes wrong (mpm::PointError) passes through, after all output up to then
+/// is written.
+nlohmann::json run_piercing(const PiercingCase& piercing, const OutputPlan& plan,
+                            const std::filesystem::path& directory, const std::string& label,
+                            Session& session);
+
+/// Points, steps and memory of a piercing, in a line or two.
+std::string piercing_cost(const PiercingCase& piercing);
+
+}  // namespace zona::studies

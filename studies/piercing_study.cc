@@ -1,0 +1,36 @@
+#include "studies/piercing_study.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "studies/piercing_run.h"
+#include "studies/run_directory.h"
+
+namespace zona::studies {
+
+Job prepare_piercing(const Configuration& study) {
+  const auto piercing = std::make_shared<PiercingCase>(
+      make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
+  return [piercing, plan = output_plan(study)](Session& session) {
+    session.directory.log(piercing_cost(*piercing));
+    session.results = run_piercing(*piercing, plan, session.directory.path(), "piercing", session);
+    const auto& r = session.results;
+    const auto& first = r["time_of_first_failure"];
+    fmt::print(
+        "{} of the zona's points failed, {:.4g} um^2{}; largest strain away from the hole {:.4f}\n"
+        "{:.1f} million point-steps/s on {} threads\n",
+        r["failed_points"].get<int>(), r["failed_area"].get<double>() * 1e12,
+        first.is_null() ? ""
+                        : fmt::format(", the first after {:.2f} us", first.get<double>() * 1e6),
+        r["largest_strain_away"].get<double>(), r["point_steps_per_second"].get<double>() / 1e6,
+        session.threads);
+  };
+}
+
+std::string estimate_piercing(const Configuration& study) {
+  return piercing_cost(
+      make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
+}
+
+}  // namespace zona::studies
