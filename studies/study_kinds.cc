@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "studies/vibration_study.h"
+
 namespace zona::studies {
 
 const std::vector<StudyKind>& study_kinds() {
@@ -9,7 +11,7 @@ const std::vector<StudyKind>& study_kinds() {
   static const Schema piercing = make_piercing_schema();
   static const Schema comparison = make_comparison_schema();
   static const std::vector<StudyKind> kinds = {
-      {&vibration, nullptr, nullptr},
+      {&vibration, run_vibration, estimate_vibration},
       {&piercing, nullptr, nullptr},
       {&comparison, nullptr, nullptr},
   };
