@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kSlenderness = 10;
-constexpr int kMostElements = 2000;
+constexpr int kMostElements = 1000;
 
 void require_positive(const char* name, double value, const char* unit) {
   require(is_positive(value),

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beam/integrate.h"
-#include "beam/pipette.h"
 #include "coupling/prescribed_motion.h"
 #include "coupling/tip_motion.h"
 #include "coupling/tip_trace.h"
 #include "mpm/errors.h"
+#include "studies/beam_parameters.h"
 #include "studies/piercing_values.h"
 
 namespace zona::studies {
@@ -152,7 +151,8 @@ void set_step(const Configuration& study, PiercingCase& c) {
   const auto critical = mpm::critical_step(model.grid, model.bodies);
   c.critical_step = critical.seconds;
   if (study.is_auto("time.step")) {
-    c.step = study.number("time.courant") * critical.seconds;
+    const double longest = study.number("time.courant") * critical.seconds;
+    c.step = c.end / std::ceil(c.end / longest);
     return;
   }
   c.step = study.quantity("time.step");
@@ -165,38 +165,14 @@ void set_step(const Configuration& study, PiercingCase& c) {
   });
 }
 
-beam::Integrator integrator_of(const Configuration& study) {
-  const std::string& name = study.choice("beam.integrator");
-  if (name == "modal") return beam::Modal{};
-  if (name == "arkode") {
-    beam::Arkode arkode;
-    arkode.relative_tolerance = study.number("beam.relative_tolerance");
-    arkode.absolute_tolerance = study.quantity("beam.absolute_tolerance");
-    return arkode;
-  }
-  return beam::Newmark{};
-}
-
 }  // namespace
 
 beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density) {
-  return blaming(study, "beam.length", [&] {
-    beam::Pipette pipette;
-    pipette.length = study.quantity("beam.length");
-    pipette.outer_diameter = study.quantity("pipette.outer_diameter");
-    pipette.inner_diameter = study.quantity("pipette.inner_diameter");
-    pipette.youngs_modulus = study.quantity("beam.youngs_modulus");
-    pipette.density = study.quantity("pipette.density");
-    pipette.fill_density = fluid_density;
-    pipette.elements = static_cast<int>(study.integer("beam.elements"));
-    pipette.damping_alpha = study.quantity("beam.rayleigh_alpha");
-    pipette.damping_beta = study.quantity("beam.rayleigh_beta");
-    const auto pulse =
-        beam::triangular_pulse(study.quantity("pulse.peak"), study.quantity("pulse.duration"));
-    return beam::integrate(beam::cantilever(pipette), pulse,
-                           {study.quantity("beam.end"), study.quantity("beam.step")},
-                           integrator_of(study));
-  });
+  const beam::Pipette pipette = pipette_from(study, "beam", fluid_density);
+  const auto pulse =
+      beam::triangular_pulse(study.quantity("pulse.peak"), study.quantity("pulse.duration"));
+  return beam::integrate(beam::cantilever(pipette), pulse, sampling_from(study, "beam"),
+                         integrator_from(study, "beam", pipette));
 }
 
 PiercingCase make_piercing_case(const Configuration& study, const std::string& fluid,

@@ -183,8 +183,8 @@ void declare_window(Schema& schema) {
 
 void declare_beam_drive(Schema& schema) {
   schema.section("beam", "The pipette as a beam, which moves the tip when motion.kind = \"beam\".");
-  declare_beam(schema, "beam");
-  declare_beam_integration(schema, "beam");
+  declare_beam(schema, "beam", 80);
+  declare_beam_integration(schema, "beam", {"modal", "newmark", "arkode"});
   schema.section("pulse", "The motion of the beam's support, when motion.kind = \"beam\".");
   declare_pulse_form(schema);
   schema.quantity("pulse.duration", "s", "60 us").in("(0, 1]").doc("Duration of the pulse (5.4).");
@@ -203,9 +203,9 @@ void declare_piercing_run(Schema& schema) {
       .or_auto()
       .called("Delta t")
       .doc("Time step; \"auto\" is courant times the critical step (the source: 0.5 ns).");
-  schema.number("time.courant", 0.5)
+  schema.number("time.courant", 0.8)
       .in("(0, 1]")
-      .doc("Fraction of the critical step that an \"auto\" step takes.");
+      .doc("Fraction of the critical step, cell / wave speed, that an \"auto\" step takes at most.");
   schema.section("boundary", "The faces of the domain.");
   schema.choice("boundary.kind", {"absorbing", "free", "fixed", "roller"})
       .doc(

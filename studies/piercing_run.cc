@@ -81,7 +81,7 @@ class PiercingRun {
         meter_(solver_.body("zona"), piercing_geometry(piercing.setup).tip),
         history_(directory / "history.csv", history_columns()) {
     if (plan.fields) frames_.emplace(directory.string());
-    total_steps_ = static_cast<long>(std::ceil(piercing.end / piercing.step - 1e-9));
+    total_steps_ = static_cast<long>(std::floor(piercing.end / piercing.step + 1e-6));
     sample();
     write_frame();
   }
@@ -217,6 +217,7 @@ nlohmann::json PiercingRun::results() const {
     for (double u : case_.tip_history->displacement) amplitude = std::max(amplitude, std::abs(u));
     r["tip_amplitude"] = amplitude;
     r["window_start"] = case_.window_start;
+    r["initial_speed"] = case_.setup.pipette.motion(0).velocity.norm();
   }
   r["largest_excursion"] = largest_excursion_;
   r["failed_points"] = zona.failed_points;
@@ -265,7 +266,7 @@ std::string piercing_cost(const PiercingCase& piercing) {
     points += body.points.size();
     parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", body.name, body.points.size());
   }
-  const double steps = std::ceil(piercing.end / piercing.step);
+  const double steps = std::floor(piercing.end / piercing.step + 1e-6);
   return fmt::format(
       "{:.0f} points ({}); {:.0f} steps of {:.3g} ns, {:.2f} of the critical step; {:.3g} "
       "point-steps",

@@ -13,10 +13,12 @@ std::vector<NamedValue> fill_fluids();
 /// Keys that several study kinds share, with the same meaning. Each call declares some keys of the
 /// section that is open.
 void declare_pipette_bore(Schema& schema, const std::string& section);
-void declare_beam(Schema& schema, const std::string& section);
+void declare_beam(Schema& schema, const std::string& section, long elements);
 void declare_fill_fluids(Schema& schema);
 void declare_pulse_form(Schema& schema);
-void declare_beam_integration(Schema& schema, const std::string& section);
+/// The first of the integrators is the default.
+void declare_beam_integration(Schema& schema, const std::string& section,
+                              const std::vector<std::string>& integrators);
 
 /// Complains unless the bore `section`.inner_diameter is narrower than the pipette.
 void check_bore(const std::string& section, const Configuration& study, const Complain& complain);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "studies/piercing_study.h"
+#include "studies/vibration_study.h"
 
 namespace zona::studies {
 
@@ -11,7 +12,7 @@ const std::vector<StudyKind>& study_kinds() {
   static const Schema piercing = make_piercing_schema();
   static const Schema comparison = make_comparison_schema();
   static const std::vector<StudyKind> kinds = {
-      {&vibration, nullptr, nullptr},
+      {&vibration, prepare_vibration, estimate_vibration},
       {&piercing, prepare_piercing, estimate_piercing},
       {&comparison, prepare_comparison, estimate_comparison},
   };

@@ -13,7 +13,7 @@ Schema make_vibration_schema() {
   schema.quantity("pipette.density", "kg/m^3", "2300 kg/m^3")
       .in("(0, 30000]")
       .doc("Density of the glass (5.4); with the fluid it gives the mass per length of Table 5.5.");
-  declare_beam(schema, "pipette");
+  declare_beam(schema, "pipette", 20);
 
   schema.section("fill", "What fills the bore.");
   declare_fill_fluids(schema);
@@ -28,7 +28,7 @@ Schema make_vibration_schema() {
       .doc("Durations of the pulse, one run each (5.5: 60 to 600 us in steps of 60 us).");
 
   schema.section("time", "Time integration of the beam.");
-  declare_beam_integration(schema, "time");
+  declare_beam_integration(schema, "time", {"newmark", "arkode", "modal"});
 
   schema.check([](const Configuration& study, const Complain& complain) {
     check_bore("pipette", study, complain);

@@ -1,0 +1,185 @@
+#include "studies/vibration_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "beam/natural_modes.h"
+#include "studies/beam_parameters.h"
+#include "studies/history_file.h"
+#include "studies/interrupt.h"
+#include "studies/progress.h"
+#include "studies/run_directory.h"
+
+namespace zona::studies {
+
+namespace {
+
+constexpr Eigen::Index kReportedFrequencies = 10;
+
+/// A beam with everything that the cases with the same fluid share.
+struct FilledPipette {
+  beam::BeamSystem system;
+  beam::Integrator integrator;
+  std::vector<double> natural_frequencies;
+};
+
+FilledPipette fill_pipette(const Configuration& study, double density) {
+  const beam::Pipette pipette = pipette_from(study, "pipette", density);
+  FilledPipette filled{beam::cantilever(pipette), integrator_from(study, "time", pipette), {}};
+  const Eigen::VectorXd frequency = beam::natural_modes(filled.system).frequency();
+  const Eigen::Index count = std::min(frequency.size(), kReportedFrequencies);
+  filled.natural_frequencies.assign(frequency.data(), frequency.data() + count);
+  return filled;
+}
+
+VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pipette,
+                             const beam::Sampling& sampling, double peak) {
+  VibrationResult result;
+  result.setup = setup;
+  result.natural_frequencies = pipette.natural_frequencies;
+  result.history = integrate(pipette.system, beam::triangular_pulse(peak, setup.pulse_duration),
+                             sampling, pipette.integrator);
+  const beam::TipHistory& history = result.history;
+  const std::size_t farthest = beam::index_of_peak(history.displacement);
+  const std::size_t fastest = beam::index_of_peak(history.velocity);
+  result.amplitude_ratio = beam::amplitude_ratio(history, peak);
+  result.peak_displacement = history.displacement[farthest];
+  result.time_of_peak = history.time[farthest];
+  result.peak_velocity = history.velocity[fastest];
+  result.time_of_peak_velocity = history.time[fastest];
+  return result;
+}
+
+nlohmann::json to_json(const VibrationResult& result) {
+  return {{"fluid", result.setup.fluid},
+          {"fluid_density", result.setup.fluid_density},
+          {"pulse_duration", result.setup.pulse_duration},
+          {"amplitude_ratio", result.amplitude_ratio},
+          {"natural_frequencies", result.natural_frequencies},
+          {"peak_displacement", result.peak_displacement},
+          {"time_of_peak", result.time_of_peak},
+          {"peak_velocity", result.peak_velocity},
+          {"time_of_peak_velocity", result.time_of_peak_velocity}};
+}
+
+std::string microseconds(double seconds) {
+  return fmt::format("{:.6g} us", seconds * 1e6);
+}
+
+void write_history(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
+  std::vector<Column> columns = {{"time", "s"}};
+  for (const VibrationResult& result : results)
+    columns.push_back(
+        {fmt::format("tip {} {}", result.setup.fluid, microseconds(result.setup.pulse_duration)),
+         "m"});
+  HistoryFile file(directory.file("history.csv"), columns);
+  const std::size_t samples = results.empty() ? 0 : results.front().history.time.size();
+  std::vector<double> row(columns.size());
+  for (std::size_t i = 0; i < samples; ++i) {
+    row[0] = results.front().history.time[i];
+    for (std::size_t k = 0; k < results.size(); ++k)
+      row[k + 1] = results[k].history.displacement[i];
+    file.add(row);
+  }
+}
+
+/// The values in the order in which they first occur.
+template <class Value>
+void add_once(std::vector<Value>& values, const Value& value) {
+  if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+}
+
+}  // namespace
+
+std::vector<VibrationCase> vibration_cases(const Configuration& study) {
+  const std::vector<double> densities = study.quantities("fill.fluids");
+  const std::vector<std::string> names = study.texts("fill.fluids");
+  std::vector<VibrationCase> cases;
+  for (std::size_t fluid = 0; fluid < densities.size(); ++fluid)
+    for (const double duration : study.quantities("pulse.durations"))
+      cases.push_back({names[fluid], densities[fluid], duration});
+  return cases;
+}
+
+std::vector<VibrationResult> compute_vibration(const Configuration& study, Session& session) {
+  const std::vector<VibrationCase> cases = vibration_cases(study);
+  std::vector<FilledPipette> pipettes;
+  for (const double density : study.quantities("fill.fluids"))
+    pipettes.push_back(fill_pipette(study, density));
+  const std::size_t durations = cases.size() / pipettes.size();
+  const beam::Sampling sampling = sampling_from(study, "time");
+  const double peak = study.quantity("pulse.peak");
+
+  std::vector<std::optional<VibrationResult>> slots(cases.size());
+  std::vector<std::exception_ptr> failures(cases.size());
+  int done = 0;
+  session.progress.start("vibration", static_cast<double>(cases.size()));
+#pragma omp parallel for schedule(dynamic) num_threads(session.threads)
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (Interrupt::requested()) continue;
+    try {
+      slots[i] = compute_case(cases[i], pipettes[i / durations], sampling, peak);
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
+#pragma omp critical(zona_vibration_progress)
+    session.progress.update(++done, 0,
+                            cases[i].fluid + ", " + microseconds(cases[i].pulse_duration));
+  }
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+  session.progress.finish();
+  std::vector<VibrationResult> results;
+  for (auto& slot : slots)
+    if (slot) results.push_back(std::move(*slot));
+  return results;
+}
+
+std::string amplitude_table(const std::vector<VibrationResult>& results) {
+  std::vector<std::string> fluids;
+  std::vector<double> durations;
+  for (const VibrationResult& result : results) {
+    add_once(fluids, result.setup.fluid);
+    add_once(durations, result.setup.pulse_duration);
+  }
+  std::string table = fmt::format("{:<16}", "amplitude ratio");
+  for (const double duration : durations) table += fmt::format(" {:>10}", microseconds(duration));
+  for (const std::string& fluid : fluids) {
+    table += fmt::format("\n{:<16}", fluid);
+    for (const double duration : durations) {
+      const auto cell = std::find_if(results.begin(), results.end(), [&](const auto& result) {
+        return result.setup.fluid == fluid && result.setup.pulse_duration == duration;
+      });
+      table += cell == results.end() ? fmt::format(" {:>10}", "-")
+                                     : fmt::format(" {:>10.4f}", cell->amplitude_ratio);
+    }
+  }
+  return table + "\n";
+}
+
+Job prepare_vibration(const Configuration& study) {
+  for (double density : study.quantities("fill.fluids")) pipette_from(study, "pipette", density);
+  return [study](Session& session) {
+    const std::vector<VibrationResult> results = compute_vibration(study, session);
+    session.results = nlohmann::json::array();
+    for (const VibrationResult& result : results) session.results.push_back(to_json(result));
+    write_history(session.directory, results);
+    const std::string table = amplitude_table(results);
+    session.directory.log("greatest tip displacement over peak support displacement\n" + table);
+    std::cout << table << std::flush;
+  };
+}
+
+std::string estimate_vibration(const Configuration& study) {
+  const beam::Sampling sampling = sampling_from(study, "time");
+  return fmt::format("{} runs of {} samples with {} beam elements, by {}",
+                     vibration_cases(study).size(), beam::sample_count(sampling),
+                     study.integer("pipette.elements"), study.choice("time.integrator"));
+}
+
+}  // namespace zona::studies
