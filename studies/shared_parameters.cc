@@ -31,9 +31,11 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
       .in("(0, 1e13]")
       .called("E")
       .doc("Young's modulus of the glass; gives EI = 183.86e-13 Pa m^4 of Table 5.5.");
-  schema.integer(section + ".elements", 20)
+  schema.integer(section + ".elements", elements)
       .in("[1, 1000]")
-      .doc("Number of Hermite cubic beam elements (5.5: twenty; eighty for 1 %).");
+      .doc(
+          "Number of Hermite cubic beam elements. The source's twenty (5.5) overestimate the amplitude "
+          "of the mercury-filled tip after 60 us by a fifth; eighty are good to 1 % of the peak.");
   schema.quantity(section + ".rayleigh_alpha", "1/s", "0 1/s")
       .in("[0, 1e9]")
       .doc("Mass-proportional Rayleigh damping; the source has none.");
