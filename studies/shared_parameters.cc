@@ -33,7 +33,7 @@ void declare_beam(Schema& schema, const std::string& section) {
       .doc("Young's modulus of the glass; gives EI = 183.86e-13 Pa m^4 of Table 5.5.");
   schema.integer(section + ".elements", 20)
       .in("[1, 1000]")
-      .doc("Number of Hermite cubic beam elements (5.5: twenty; eighty for 1 %).");
+      .doc("Number of Hermite cubic beam elements (5.5: twenty; eighty for about 1 %).");
   schema.quantity(section + ".rayleigh_alpha", "1/s", "0 1/s")
       .in("[0, 1e9]")
       .doc("Mass-proportional Rayleigh damping; the source has none.");
