@@ -47,7 +47,7 @@ void check(const Pipette& pipette) {
                       pipette.length, kSlenderness, kSlenderness * pipette.outer_diameter));
   require(pipette.elements >= 1 && pipette.elements <= kMostElements,
           fmt::format("pipette: elements is {}, but it must lie between 1 and {}; 20 is the "
-                      "dissertation's choice, 80 resolves a 60 us pulse",
+                      "dissertation's choice, 80 err by about 1 %",
                       pipette.elements, kMostElements));
 }
 

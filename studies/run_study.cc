@@ -60,11 +60,6 @@ int report(const RunOutcome& outcome, RunDirectory& directory, bool quiet) {
 
 int run_configuration(const Configuration& study, const StudyKind& kind,
                       const RunOptions& options) {
-  if (!kind.prepare) {
-    throw InputError(
-        study.where("study"),
-        fmt::format("this version of zona can check a {} study but not run it", study.kind()));
-  }
   RunOutcome outcome;
   outcome.threads = choose_threads(study, options);
   outcome.started = local_time();

@@ -19,8 +19,8 @@ TEST_CASE("the bundled study files are valid") {
   CHECK(bundled("piercing_axial.toml").choice("motion.axis") == "axial");
   CHECK(bundled("piercing_beam.toml").quantity("pulse.peak") == 17.9e-6);
   const Configuration comparison = bundled("mercury_vs_water.toml");
-  CHECK(comparison.texts("fill.fluids") == std::vector<std::string>{"mercury", "water"});
-  CHECK(comparison.quantities("fill.fluids") == std::vector<double>{13600, 1000});
+  CHECK(comparison.texts("fill.fluids") == std::vector<std::string>{"mercury", "water", "fluorinert", "none"});
+  CHECK(comparison.quantities("fill.fluids") == std::vector<double>{13600, 1000, 1780, 0});
 }
 
 TEST_CASE("a vibration resolves to SI") {

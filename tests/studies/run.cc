@@ -160,9 +160,14 @@ TEST_CASE("a second Ctrl-C ends the program at once") {
   CHECK(WTERMSIG(status) == SIGINT);
 }
 
-TEST_CASE("a kind without a runner writes nothing") {
+TEST_CASE("a study that is refused while it is prepared writes nothing") {
   const ScratchDirectory scratch;
-  CHECK_THROWS_AS(run_with(nullptr, scratch.path() / "run"), InputError);
+  const Configuration study = load_configuration(scratch.write("s.toml", "study = \"vibration\""));
+  const Prepare refuse = [](const Configuration&) -> Job { throw InputError("s.toml:1", "no"); };
+  RunOptions options;
+  options.out = scratch.path() / "run";
+  options.out_given = true;
+  CHECK_THROWS_AS(run_configuration(study, {&study.schema(), refuse, nullptr}, options), InputError);
   CHECK_FALSE(fs::exists(scratch.path() / "run"));
 }
 
