@@ -1,6 +1,7 @@
 #include "mpm/lattice.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -150,6 +151,29 @@ TriangulatedSurface sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& 
     }
   }
   return s;
+}
+
+TriangulatedSurface in_walking_order(const TriangulatedSurface& surface, const BackgroundGrid& grid) {
+  const int count = static_cast<int>(surface.places.size());
+  std::vector<std::array<int, 3>> key;  // brick, cell, point
+  for (int p = 0; p < count; ++p) {
+    const Eigen::Vector3d& x = surface.places[p];
+    const auto cell = grid.cell_at(x.x(), x.y(), x.z());
+    if (cell[0] < 0) return surface;  // whoever builds a solver of it is told
+    key.push_back({grid.brick_of(cell), BackgroundGrid::cell_in_brick(cell), p});
+  }
+  std::sort(key.begin(), key.end());
+  TriangulatedSurface ordered;
+  std::vector<int> number(count);
+  for (int n = 0; n < count; ++n) {
+    number[key[n][2]] = n;
+    ordered.places.push_back(surface.places[key[n][2]]);
+  }
+  for (const auto& [a, b, c] : surface.triangles) ordered.triangles.push_back({number[a], number[b], number[c]});
+  std::stable_sort(ordered.triangles.begin(), ordered.triangles.end(), [](const Triangle& s, const Triangle& t) {
+    return *std::min_element(s.begin(), s.end()) < *std::min_element(t.begin(), t.end());
+  });
+  return ordered;
 }
 
 }  // namespace zona::mpm

@@ -41,6 +41,7 @@ Solver::Solver(Model model, double step, int threads)
       rigid->brick_impulse.resize(model_.grid.bricks().size());
     }
   }
+  share_bricks();
 }
 
 void Solver::step() {
@@ -56,10 +57,41 @@ void Solver::step() {
 
 template <class F>
 void Solver::for_coloured_bricks(F f) {
-  for (const auto& bricks : model_.grid.bricks_by_colour()) {
-    const int count = static_cast<int>(bricks.size());
-#pragma omp for schedule(dynamic, 1)
-    for (int i = 0; i < count; ++i) f(bricks[i]);
+  for (int colour = 0; colour < 8; ++colour) {
+    const auto& bricks = model_.grid.bricks_by_colour()[colour];
+    const auto& begin = share_begin_[colour];
+    if (bricks.empty()) continue;
+#pragma omp for schedule(static, 1)
+    for (int t = 0; t < threads_; ++t) {
+      for (int i = begin[t]; i < begin[t + 1]; ++i) f(bricks[i]);
+    }
+  }
+}
+
+void Solver::share_bricks() {
+  // What a cell costs beyond its points, in points: its nodes are read and written in every stage.
+  constexpr int cost_of_cell = 2;
+  const auto cost = [this](int b) {
+    long sum = 0;
+    for (const auto& body : model_.bodies) {
+      const BrickPoints& points = body.cells.brick(b);
+      sum += static_cast<long>(points.points.size());
+      for (int c = 0; c < Brick::cell_count; ++c) {
+        if (points.begin[c] < points.begin[c + 1]) sum += cost_of_cell;
+      }
+    }
+    return sum;
+  };
+  for (int colour = 0; colour < 8; ++colour) {
+    const auto& bricks = model_.grid.bricks_by_colour()[colour];
+    std::vector<long> until{0};
+    for (int b : bricks) until.push_back(until.back() + cost(b));
+    auto& begin = share_begin_[colour];
+    begin.assign(threads_ + 1, static_cast<int>(bricks.size()));
+    for (int t = 0; t < threads_; ++t) {
+      const long target = until.back() * t / threads_;
+      begin[t] = static_cast<int>(std::lower_bound(until.begin(), until.end() - 1, target) - until.begin());
+    }
   }
 }
 
@@ -198,9 +230,8 @@ void Solver::update_brick(Material& material, Body& body, int b) {
 }
 
 void Solver::update_stress() {
-  const int bricks = static_cast<int>(model_.grid.bricks().size());
-#pragma omp parallel for num_threads(threads_) schedule(dynamic, 1)
-  for (int b = 0; b < bricks; ++b) {
+#pragma omp parallel num_threads(threads_)
+  for_coloured_bricks([this](int b) {
     for (auto& body : model_.bodies) {
       if (body.cells.brick(b).empty()) continue;
       std::visit(
@@ -210,7 +241,7 @@ void Solver::update_stress() {
           },
           body.material);
     }
-  }
+  });
   if (!bad_points_.empty()) {
     const auto first = *std::min_element(
         bad_points_.begin(), bad_points_.end(),
@@ -239,6 +270,7 @@ void Solver::store_as_walked() {
   const int bodies = static_cast<int>(model_.bodies.size());
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 1)
   for (int b = 0; b < bodies; ++b) model_.bodies[b].reorder_as_walked();
+  share_bricks();
 }
 
 long Solver::point_count() const {

@@ -47,8 +47,10 @@ class Solver {
   void update_stress();
   void move_to_next_positions();
   void store_as_walked();
+  void share_bricks();
 
-  /// f(brick) for all bricks, colour by colour, in parallel within a colour.
+  /// f(brick) for all bricks, colour by colour, in parallel within a colour. A thread always gets the same
+  /// bricks, side by side in space, so that their points stay in its caches.
   template <class F>
   void for_coloured_bricks(F f);
   template <class Material>
@@ -63,6 +65,8 @@ class Solver {
   double dt_;
   int threads_;
   long steps_ = 0;
+  /// For each colour, where each thread's share of its bricks begins.
+  std::array<std::vector<int>, 8> share_begin_;
   std::vector<std::vector<int>> driven_nodes_;  ///< per body, of those that drive nodes
   struct BadPoint {
     int body;

@@ -56,9 +56,11 @@ std::array<int, 3> per_axis(int points_per_cell) {
   return {n, n, n};
 }
 
-mpm::Body zona_body(const PiercingSetup& setup, const PiercingGeometry& geometry) {
+mpm::Body zona_body(const PiercingSetup& setup, const PiercingGeometry& geometry,
+                    const mpm::BackgroundGrid& grid) {
   const auto& zona = setup.zona;
-  const auto sphere = mpm::icosphere(geometry.egg_center, geometry.egg_radius, zona.level);
+  const auto sphere = mpm::in_walking_order(
+      mpm::icosphere(geometry.egg_center, geometry.egg_radius, zona.level), grid);
   // s rho^m / N^P for each point (4.1).
   const double area = 4 * M_PI * geometry.egg_radius * geometry.egg_radius;
   const double mass = area * zona.membrane.thickness * zona.membrane.density / sphere.places.size();
@@ -112,7 +114,7 @@ mpm::Model build_piercing(const PiercingSetup& setup) {
     return !in_egg(x) && !in_wall(g.tip, x) &&
            !(setup.plate.present && in_box(g.plate_low, g.plate_high, x));
   };
-  model.bodies.push_back(zona_body(setup, g));
+  model.bodies.push_back(zona_body(setup, g, model.grid));
   model.bodies.push_back(
       fluid_body("cytoplasm", setup.cytoplasm,
                  mpm::fill_cells(model.grid, per_axis(setup.cytoplasm.points_per_cell), in_egg)));
