@@ -25,6 +25,7 @@ std::string shorter_path(const std::filesystem::path& path) {
 int check_study(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const Configuration study = load_configuration(file, overrides);
   const StudyKind& kind = find_study_kind(study.kind());
+  kind.prepare(study);  // what a run would refuse, a check does as well
   fmt::print("{} is a valid {} study. Its parameters in SI:\n\n{}", file.string(), study.kind(),
              si_table(study));
   if (kind.estimate) fmt::print("\n{}\n", kind.estimate(study));

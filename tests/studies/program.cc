@@ -1,8 +1,6 @@
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
-#include <cstdio>
 
+#include "tests/studies/call.h"
 #include "tests/studies/study_files.h"
 
 using namespace zona::studies::testing;
@@ -10,22 +8,6 @@ using Catch::Contains;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Answer {
-  int code;
-  std::string text;  ///< both streams
-};
-
-Answer call(const std::string& arguments) {
-  const std::string command = ZONA_PROGRAM " " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Answer answer;
-  for (int character; (character = fgetc(pipe)) != EOF;)
-    answer.text += static_cast<char>(character);
-  answer.code = WEXITSTATUS(pclose(pipe));
-  return answer;
-}
 
 const std::string vibration = ZONA_SOURCE_DIR "/studies/vibration.toml";
 
