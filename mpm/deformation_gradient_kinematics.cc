@@ -115,11 +115,12 @@ LocalStrain DeformationGradientKinematics::local_strain(const PointGroup& group)
   const Lanes c11 = dot(f1, f1);
   const Lanes c22 = dot(f2, f2);
   const Lanes c12 = dot(f1, f2);
-  // Square root of the 2 x 2 tensor C (Cayley-Hamilton); a point without triangles has F = 0.
+  // Square root of the 2 x 2 tensor C (Cayley-Hamilton); a point without triangles has F = 0: no strain.
   const Lanes det = square_root(larger(c11 * c22 - c12 * c12, Lanes{}));
   const Lanes scale = 1.0 / square_root(larger(c11 + c22 + 2.0 * det, broadcast(1e-30)));
-  const Lanes u11 = (c11 + det) * scale;
-  const Lanes u22 = (c22 + det) * scale;
+  const LaneMask has_triangles = c11 + c22 > 0.0;
+  const Lanes u11 = has_triangles ? (c11 + det) * scale : broadcast(1);
+  const Lanes u22 = has_triangles ? (c22 + det) * scale : broadcast(1);
   const Lanes u12 = c12 * scale;
   const Lanes inverse = 1.0 / larger(u11 * u22 - u12 * u12, broadcast(1e-30));
   VectorLanes x;

@@ -79,8 +79,8 @@ inline LaneMask Fluid::update(const PointGroup& group, const VelocityGradient& g
   const Lanes dissipation =
       2.0 * mu * contract(rate, rate) - 2.0 / 3.0 * mu * divergence * divergence;
   const Lanes scale = dt / old_density;
-  const Lanes energy = (old_energy + scale * ((offset - q) * divergence + dissipation)) /
-                       (1.0 + scale * divergence * big_gamma * new_density);
+  const Lanes stiffening = 1.0 + scale * divergence * big_gamma * new_density;
+  const Lanes energy = (old_energy + scale * ((offset - q) * divergence + dissipation)) / stiffening;
   const Lanes pressure = big_gamma * new_density * energy - offset + q;
 
   const Lanes spherical = -2.0 / 3.0 * mu * divergence - pressure;
@@ -90,7 +90,7 @@ inline LaneMask Fluid::update(const PointGroup& group, const VelocityGradient& g
   group.store(density, new_density);
   group.store(internal_energy, energy);
   group.store(stress, new_stress);
-  return ~(new_density > 0.0);
+  return ~((new_density > 0.0) & (new_density < HUGE_VAL) & (stiffening > 0.0));
 }
 
 }  // namespace zona::mpm

@@ -36,10 +36,13 @@ void write_dataset(hid_t file, const std::string& path, const std::string& datas
   const QuietScope quiet;
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      H5Sclose);
+  // Without the time of day in it, the same data make the same file.
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation, false);
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links, 1);
   const Handle data(
-      H5Dcreate2(file, dataset.c_str(), native_type<T>(), space, links, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dcreate2(file, dataset.c_str(), native_type<T>(), space, links, creation, H5P_DEFAULT),
       H5Dclose);
   check<hid_t>(data, path, dataset, "cannot create the dataset");
   check(H5Dwrite(data, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path, dataset,

@@ -74,7 +74,7 @@ inline LaneMask LinearElastic::update(const PointGroup& group, const VelocityGra
   const Lanes new_density = group.load(density) / (1.0 + dt * trace(rate));
   group.store(density, new_density);
   group.store(stress, result);
-  return ~(new_density > 0.0);
+  return ~((new_density > 0.0) & (new_density < HUGE_VAL));
 }
 
 }  // namespace zona::mpm

@@ -42,9 +42,6 @@ struct Membrane {
     std::visit([&](auto& k) { k.accumulate(group, gradient, dt); }, kinematics);
     return LaneMask{};
   }
-  bool uses_grid_strain() const {
-    return std::visit([](const auto& k) { return k.uses_grid_strain; }, kinematics);
-  }
   /// Stress, damage and failure at the positions [m] of the end of the step, at `time` [s].
   void update_stress(const std::array<Field, 3>& position, double time, int threads);
 

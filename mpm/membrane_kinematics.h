@@ -20,8 +20,6 @@ struct LocalStrain {
 /// objective: an out-of-plane slope s appears as a tangential strain s^2/(1 + s^2).
 class SummedStrainKinematics {
  public:
-  static constexpr bool uses_grid_strain = true;
-
   SummedStrainKinematics(const MaterialPoints& points, Surface& surface);
 
   /// Adds a step's strain increments (4.4).
@@ -50,8 +48,6 @@ class SummedStrainKinematics {
 /// measure of (5.56). Rigid motions give exactly no strain.
 class DeformationGradientKinematics {
  public:
-  static constexpr bool uses_grid_strain = false;
-
   DeformationGradientKinematics(const MaterialPoints& points, const Surface& surface);
 
   void accumulate(const PointGroup&, const VelocityGradient&, double) {}

@@ -246,7 +246,7 @@ void Solver::update_stress() {
     const auto first = *std::min_element(
         bad_points_.begin(), bad_points_.end(),
         [](auto& a, auto& b) { return std::pair(a.body, a.point) < std::pair(b.body, b.point); });
-    fail_at(model_.bodies[first.body], first.point, "the density is not positive and finite");
+    fail_at(model_.bodies[first.body], first.point, "a point was compressed or expanded beyond what a step can describe");
   }
   for (auto& body : model_.bodies) {
     if (auto* membrane = std::get_if<Membrane>(&body.material)) {

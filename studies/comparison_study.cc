@@ -67,6 +67,12 @@ std::string comparison_table(const nlohmann::json& results) {
   return table + "\n";
 }
 
+void write_table(const Session& session) {
+  const std::string table = comparison_table(session.results);
+  session.directory.write("comparison.txt", table);
+  fmt::print("{}", table);
+}
+
 }  // namespace
 
 Job prepare_comparison(const Configuration& study) {
@@ -78,11 +84,15 @@ Job prepare_comparison(const Configuration& study) {
       const auto directory = session.directory.file(directory_name(piercing.fluid));
       std::filesystem::create_directories(directory);
       session.directory.log(fmt::format("{}: {}", piercing.fluid, piercing_cost(piercing)));
-      session.results.push_back(run_piercing(piercing, plan, directory, piercing.fluid, session));
+      session.results.emplace_back();
+      try {
+        run_piercing(piercing, plan, directory, piercing.fluid, session, session.results.back());
+      } catch (...) {
+        write_table(session);  // what the other fills came to is not lost
+        throw;
+      }
     }
-    const std::string table = comparison_table(session.results);
-    session.directory.write("comparison.txt", table);
-    fmt::print("{}", table);
+    write_table(session);
   };
 }
 

@@ -7,6 +7,8 @@ namespace zona::studies {
 DamageMeter::DamageMeter(const mpm::Body& zona, const mpm::Tube& tip)
     : away_(zona.points.size(), 1),
       counted_(zona.points.size(), 0),
+      peak_strain_(zona.points.size(), 0.0),
+      peak_displacement_(zona.points.size(), 0.0),
       clearance_(2 * tip.outer_radius) {
   for (int p = 0; p < zona.points.size(); ++p) {
     reference_.push_back(zona.points.position_of(p));
@@ -24,6 +26,14 @@ void DamageMeter::widen_hole(const mpm::Membrane& membrane) {
   }
 }
 
+double DamageMeter::peak_away(const std::vector<double>& peak) const {
+  double largest = 0;
+  for (std::size_t p = 0; p < peak.size(); ++p) {
+    if (away_[p]) largest = std::max(largest, peak[p]);
+  }
+  return largest;
+}
+
 ZonaDamage DamageMeter::measure(const mpm::Body& zona) {
   const mpm::Membrane& membrane = *zona.membrane();
   widen_hole(membrane);
@@ -34,11 +44,13 @@ ZonaDamage DamageMeter::measure(const mpm::Body& zona) {
       damage.failed_area += membrane.reference_area[p];
       continue;
     }
+    const double displacement = (zona.points.position_of(p) - reference_[p]).norm();
+    peak_strain_[p] = std::max(peak_strain_[p], membrane.strain[p]);
+    peak_displacement_[p] = std::max(peak_displacement_[p], displacement);
     damage.largest_strain = std::max(damage.largest_strain, membrane.strain[p]);
     if (!away_[p]) continue;
     damage.strain_away = std::max(damage.strain_away, membrane.strain[p]);
-    damage.largest_displacement =
-        std::max(damage.largest_displacement, (zona.points.position_of(p) - reference_[p]).norm());
+    damage.largest_displacement = std::max(damage.largest_displacement, displacement);
   }
   return damage;
 }

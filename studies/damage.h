@@ -7,7 +7,7 @@
 
 namespace zona::studies {
 
-/// What a pulse has done to the zona so far.
+/// What a pulse has done to the zona at an instant.
 struct ZonaDamage {
   int failed_points = 0;
   double failed_area = 0;     ///< undeformed area of the failed points [m^2]
@@ -24,12 +24,20 @@ class DamageMeter {
 
   ZonaDamage measure(const mpm::Body& zona);
 
+  /// Over all measurements so far, of points away from the hole as it is now: largest strain [-] and
+  /// largest displacement [m]. (A point that is yet to fail is not away.)
+  double peak_strain_away() const { return peak_away(peak_strain_); }
+  double peak_displacement_away() const { return peak_away(peak_displacement_); }
+
  private:
+  double peak_away(const std::vector<double>& peak) const;
   void widen_hole(const mpm::Membrane& membrane);
 
   std::vector<Eigen::Vector3d> reference_;
   std::vector<char> away_;
   std::vector<char> counted_;
+  std::vector<double> peak_strain_;
+  std::vector<double> peak_displacement_;
   double clearance_;
 };
 

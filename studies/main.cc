@@ -1,3 +1,5 @@
+#include <fenv.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 
@@ -64,6 +66,9 @@ void add_references(CLI::App& program, std::string& key, int& code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef ZONA_TRAP_FLOATING_POINT
+  feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+#endif
   CLI::App program("Piezo-ICSI from the voltage pulse to the pierced zona pellucida.", "zona");
   program.set_version_flag("--version", "zona " + zona_version());
   program.require_subcommand(1);

@@ -105,7 +105,7 @@ Vector3d motion_axis(const Configuration& study) {
   return study.choice("motion.axis") == "axial" ? Vector3d(-1, 0, 0) : Vector3d(0, 1, 0);
 }
 
-/// The window of a history; the motion of the tip in it and, for an "auto" end, how long it is.
+/// The motion of the tip in the window of its history.
 void drive_by_history(const Configuration& study, PiercingCase& c) {
   coupling::TipMotionOptions options;
   if (!study.is_auto("motion.window_start")) options.start = study.quantity("motion.window_start");

@@ -67,15 +67,6 @@ mpm::Body zona_body(const PiercingSetup& setup, const PiercingGeometry& geometry
   const auto points =
       mpm::make_points(sphere.places, std::vector<double>(sphere.places.size(), mass));
   mpm::Membrane membrane(zona.membrane, zona.damage, zona.objective, points, sphere.triangles);
-  const double edge = membrane.surface.longest_edge(points.position);
-  if (edge > setup.cell / 1.5) {
-    throw mpm::ModelError(
-        fmt::format("the zona's points are up to {:.3g} um apart in cells of {:.3g} um: stretched "
-                    "by the pulse they would tear "
-                    "numerically. At least 1.5 points per cell edge are needed: raise zona.level "
-                    "above {} or grid.cell above {:.3g} um",
-                    edge * 1e6, setup.cell * 1e6, zona.level, 1.5 * edge * 1e6));
-  }
   return {"zona", points, std::move(membrane), {}};
 }
 

@@ -33,7 +33,7 @@ struct PiercingSetup {
     double inner_diameter = 8e-6;
     double tip_length = 15e-6;
     std::array<int, 3> points{2, 60, 45};  ///< radial, circumferential, axial
-    double density = 26441;                ///< glass and the fill, spread over the glass
+    double density = 26441;                ///< glass and fill, spread over the glass; the source's value
     mpm::Drive drive = mpm::Drive::points;
     mpm::RigidMotion motion;
   } pipette;
@@ -64,8 +64,7 @@ struct PiercingGeometry {
 /// Throws ModelError where the parts do not fit into the domain.
 PiercingGeometry piercing_geometry(const PiercingSetup& setup);
 
-/// Bodies `zona`, `cytoplasm`, `medium`, `pipette` and, where present, `plate`. Throws ModelError,
-/// also when the zona's points are too far apart for the cells (numerical tearing).
+/// Bodies `zona`, `cytoplasm`, `medium`, `pipette` and, where present, `plate`. Throws ModelError.
 mpm::Model build_piercing(const PiercingSetup& setup);
 
 }  // namespace zona::studies

@@ -121,7 +121,7 @@ void declare_fluids(Schema& schema) {
   declare_fluid(schema, "medium", "6.13e8 Pa", 1);
 }
 
-void declare_pipette_tip(Schema& schema) {
+void declare_pipette_tip(Schema& schema, const std::string& point_density) {
   schema.section("pipette", "The tip of the injection pipette, a tube that moves as prescribed.");
   declare_pipette_bore(schema, "pipette");
   schema.quantity("pipette.tip_length", "m", "15 um")
@@ -134,12 +134,14 @@ void declare_pipette_tip(Schema& schema) {
   schema.quantity("pipette.density", "kg/m^3", "2300 kg/m^3")
       .in("(0, 30000]")
       .doc("Density of the glass (5.4).");
-  schema.quantity("pipette.point_density", "kg/m^3", "auto")
+  schema.quantity("pipette.point_density", "kg/m^3", point_density)
       .in("(0, 1e6]")
       .or_auto()
       .doc(
           "Density of the tip's points. \"auto\" spreads the fluid of the bore evenly over the "
-          "glass: 26478 kg/m^3 with mercury, where the source states 26441 (5.4).");
+          "glass: 26478 kg/m^3 with mercury, where the source states 26441 (5.4). The motion is prescribed, "
+          "so this mass only sets how firmly the tip holds the grid around it: comparisons keep the "
+          "source's value for every fill, lest a light fill seem to slip.");
   schema.choice("pipette.drive", {"points", "nodes"})
       .doc(
           "What carries the prescribed motion: the pipette's points, which the grid mixes with "

@@ -9,7 +9,8 @@ namespace zona::studies {
 void declare_grid(Schema& schema);
 void declare_zona(Schema& schema);
 void declare_fluids(Schema& schema);
-void declare_pipette_tip(Schema& schema);
+/// `point_density` is the default of the key of that name.
+void declare_pipette_tip(Schema& schema, const std::string& point_density);
 void declare_holding_plate(Schema& schema);
 void declare_window(Schema& schema);
 void declare_beam_drive(Schema& schema);

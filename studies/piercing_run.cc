@@ -1,6 +1,7 @@
 #include "studies/piercing_run.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <cmath>
@@ -23,6 +24,13 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Of this process so far [bytes].
+long peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024;
 }
 
 /// Rate of the stepping alone, after the first steps, in which memory is touched for the first
@@ -141,8 +149,6 @@ class PiercingRun {
   double last_frame_ = -1;
   double impulse_work_ = 0;
   double largest_force_ = 0;
-  double largest_strain_away_ = 0;
-  double largest_displacement_ = 0;
   double highest_pressure_ = 0;
   double largest_excursion_ = 0;
 };
@@ -164,8 +170,6 @@ void PiercingRun::sample() {
     sum.kinetic_energy += part.kinetic_energy;
     sum.stored_energy += part.stored_energy;
   }
-  largest_strain_away_ = std::max(largest_strain_away_, damage_.strain_away);
-  largest_displacement_ = std::max(largest_displacement_, damage_.largest_displacement);
   highest_pressure_ = std::max(highest_pressure_, pressure.highest);
   largest_excursion_ = std::max(largest_excursion_, state.displacement.norm());
   const auto& d = state.displacement;
@@ -224,8 +228,8 @@ nlohmann::json PiercingRun::results() const {
   r["failed_area"] = damage_.failed_area;
   r["time_of_first_failure"] =
       std::isfinite(first_failure) ? nlohmann::json(first_failure) : nlohmann::json();
-  r["largest_strain_away"] = largest_strain_away_;
-  r["largest_displacement_away"] = largest_displacement_;
+  r["largest_strain_away"] = meter_.peak_strain_away();
+  r["largest_displacement_away"] = meter_.peak_displacement_away();
   r["highest_cytoplasm_pressure"] = highest_pressure_;
   r["largest_pipette_force"] = largest_force_;
   r["pipette_work"] = impulse_work_;
@@ -235,6 +239,7 @@ nlohmann::json PiercingRun::results() const {
   r["time_step"] = case_.step;
   r["critical_time_step"] = case_.critical_step;
   r["wall_seconds"] = seconds_since(started_);
+  r["peak_memory_bytes"] = peak_memory();
   r["point_steps_per_second"] =
       timer_.steps_per_second() * static_cast<double>(solver_.point_count());
   return r;
@@ -247,15 +252,20 @@ OutputPlan output_plan(const Configuration& study) {
           study.boolean("output.fields")};
 }
 
-nlohmann::json run_piercing(const PiercingCase& piercing, const OutputPlan& plan,
-                            const std::filesystem::path& directory, const std::string& label,
-                            Session& session) {
+void run_piercing(const PiercingCase& piercing, const OutputPlan& plan,
+                  const std::filesystem::path& directory, const std::string& label,
+                  Session& session, nlohmann::json& results) {
   if (piercing.tip_history) {
     coupling::write_tip_trace_csv(*piercing.tip_history, (directory / "tip.csv").string());
   }
   PiercingRun run(piercing, plan, directory, session.threads);
-  run.run(label, session.progress);
-  return run.results();
+  try {
+    run.run(label, session.progress);
+  } catch (...) {
+    results = run.results();
+    throw;
+  }
+  results = run.results();
 }
 
 std::string piercing_cost(const PiercingCase& piercing) {

@@ -29,8 +29,8 @@ void declare_motion(Schema& schema) {
       .doc("Duration of the triangle (5.4).");
   schema.file("motion.trace", "")
       .doc(
-          "CSV file of the recorded history: a header line, then time [s] and displacement [m] per "
-          "line. Needed by motion.kind = \"trace\".");
+          "File of the recorded history, CSV or HDF5. The CSV begins with headings that carry units, "
+          "such as `time [us],displacement [um]`. Needed by motion.kind = \"trace\".");
   schema.number("motion.scale", 1)
       .in("[-1e6, 1e6]")
       .doc("Factor on the displacement of a beam or a trace.");
@@ -84,7 +84,7 @@ Schema make_piercing_schema() {
   declare_grid(schema);
   declare_zona(schema);
   declare_fluids(schema);
-  declare_pipette_tip(schema);
+  declare_pipette_tip(schema, "auto");
   schema.section("fill", "What fills the bore of the pipette.");
   schema.quantity("fill.fluid", "kg/m^3", "mercury")
       .in("[0, 30000]")

@@ -14,7 +14,7 @@ Job prepare_piercing(const Configuration& study) {
       make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
   return [piercing, plan = output_plan(study)](Session& session) {
     session.directory.log(piercing_cost(*piercing));
-    session.results = run_piercing(*piercing, plan, session.directory.path(), "piercing", session);
+    run_piercing(*piercing, plan, session.directory.path(), "piercing", session, session.results);
     const auto& r = session.results;
     const auto& first = r["time_of_first_failure"];
     fmt::print(

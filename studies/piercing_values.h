@@ -20,7 +20,7 @@ double pipette_point_density(const Configuration& study, double fluid_density);
 double motion_amplitude(const Configuration& study);
 
 /// End of the simulation [s]: time.end, or for "auto" one period of a sine, the duration of a
-/// triangle, the window of a beam or a trace (a shorter history ends it earlier).
+/// triangle, the window of a beam or a trace, which must lie within the history.
 double simulation_end(const Configuration& study);
 
 }  // namespace zona::studies

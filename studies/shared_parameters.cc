@@ -58,7 +58,7 @@ void declare_pulse_form(Schema& schema) {
       .in("(0, 0.01]")
       .doc(
           "Peak displacement of the support. Not given in the source; 17.9 um moves the tip of "
-          "the mercury-filled pipette by its 13.5 um (5.4).");
+          "the mercury-filled pipette by its 13.5 um (5.4) when the beam is resolved (80 elements).");
 }
 
 void declare_beam_integration(Schema& schema, const std::string& section,

@@ -133,10 +133,7 @@ TEST_CASE("The deformation gradient gives the principal stretches, whatever the 
 }
 
 TEST_CASE(
-    "Summed strains: translation makes no stress, rotation a stress of second order in the angle "
-    "per step") {
-  // A rigid rotation given as exact velocity gradients of an explicit grid: the strain increments
-  // are zero, and the local frame follows the normals.
+    "Summed strains: a translation makes no stress; turned across the stretch they lose cos^2") {
   SmallSheet s(false);
   s.deform(Matrix3d::Identity(), Vector3d(1, 2, 3));
   CHECK(s.largest_stress() == 0);
@@ -187,8 +184,8 @@ TEST_CASE("The local frame follows the normals as the exact rotation does") {
 
 TEST_CASE(
     "Failed points lose their stress, keep failing state, and their triangles leave the surface") {
-  for (bool objective : {true}) {
-    SmallSheet s(objective, Elastodamage{}, OneWay::stress);
+  {
+    SmallSheet s(true, Elastodamage{}, OneWay::stress);
     Matrix3d f = Vector3d(1.0595, 1, 1).asDiagonal();
     s.deform(f);
     CHECK(s.membrane.failed_points == 0);
@@ -196,7 +193,7 @@ TEST_CASE(
     const double weakened = s.membrane.stress[0][0];
     f = Vector3d(1.03, 1, 1).asDiagonal();  // unloading along the secant
     s.deform(f);
-    CHECK(s.membrane.stress[0][0] == Approx(weakened * 0.03 / 0.0595).epsilon(0.02));
+    CHECK(s.membrane.stress[0][0] == Approx(weakened * 0.03 / 0.0595).epsilon(1e-9));
     f = Vector3d(1.061, 1, 1).asDiagonal();
     s.deform(f);
     CHECK(s.membrane.failed_points == s.points.size());
