@@ -115,7 +115,8 @@ LocalStrain DeformationGradientKinematics::local_strain(const PointGroup& group)
   const Lanes c11 = dot(f1, f1);
   const Lanes c22 = dot(f2, f2);
   const Lanes c12 = dot(f1, f2);
-  // Square root of the 2 x 2 tensor C (Cayley-Hamilton); a point without triangles has F = 0: no strain.
+  // Square root of the 2 x 2 tensor C (Cayley-Hamilton); a point without triangles has F = 0: no
+  // strain.
   const Lanes det = square_root(larger(c11 * c22 - c12 * c12, Lanes{}));
   const Lanes scale = 1.0 / square_root(larger(c11 + c22 + 2.0 * det, broadcast(1e-30)));
   const LaneMask has_triangles = c11 + c22 > 0.0;

@@ -80,7 +80,8 @@ inline LaneMask Fluid::update(const PointGroup& group, const VelocityGradient& g
       2.0 * mu * contract(rate, rate) - 2.0 / 3.0 * mu * divergence * divergence;
   const Lanes scale = dt / old_density;
   const Lanes stiffening = 1.0 + scale * divergence * big_gamma * new_density;
-  const Lanes energy = (old_energy + scale * ((offset - q) * divergence + dissipation)) / stiffening;
+  const Lanes energy =
+      (old_energy + scale * ((offset - q) * divergence + dissipation)) / stiffening;
   const Lanes pressure = big_gamma * new_density * energy - offset + q;
 
   const Lanes spherical = -2.0 / 3.0 * mu * divergence - pressure;

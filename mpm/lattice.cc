@@ -153,7 +153,8 @@ TriangulatedSurface sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& 
   return s;
 }
 
-TriangulatedSurface in_walking_order(const TriangulatedSurface& surface, const BackgroundGrid& grid) {
+TriangulatedSurface in_walking_order(const TriangulatedSurface& surface,
+                                     const BackgroundGrid& grid) {
   const int count = static_cast<int>(surface.places.size());
   std::vector<std::array<int, 3>> key;  // brick, cell, point
   for (int p = 0; p < count; ++p) {
@@ -169,10 +170,12 @@ TriangulatedSurface in_walking_order(const TriangulatedSurface& surface, const B
     number[key[n][2]] = n;
     ordered.places.push_back(surface.places[key[n][2]]);
   }
-  for (const auto& [a, b, c] : surface.triangles) ordered.triangles.push_back({number[a], number[b], number[c]});
-  std::stable_sort(ordered.triangles.begin(), ordered.triangles.end(), [](const Triangle& s, const Triangle& t) {
-    return *std::min_element(s.begin(), s.end()) < *std::min_element(t.begin(), t.end());
-  });
+  for (const auto& [a, b, c] : surface.triangles)
+    ordered.triangles.push_back({number[a], number[b], number[c]});
+  std::stable_sort(
+      ordered.triangles.begin(), ordered.triangles.end(), [](const Triangle& s, const Triangle& t) {
+        return *std::min_element(s.begin(), s.end()) < *std::min_element(t.begin(), t.end());
+      });
   return ordered;
 }
 

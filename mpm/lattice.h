@@ -55,8 +55,9 @@ TriangulatedSurface icosphere(const Eigen::Vector3d& center, double radius, int 
 TriangulatedSurface sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& edge_u,
                           const Eigen::Vector3d& edge_v, int count_u, int count_v);
 
-/// The same surface with its points numbered brick by brick and cell by cell of the grid, and its triangles
-/// by their lowest point: what lies side by side in space lies so in memory.
-TriangulatedSurface in_walking_order(const TriangulatedSurface& surface, const BackgroundGrid& grid);
+/// The same surface with its points numbered brick by brick and cell by cell of the grid, and its
+/// triangles by their lowest point: what lies side by side in space lies so in memory.
+TriangulatedSurface in_walking_order(const TriangulatedSurface& surface,
+                                     const BackgroundGrid& grid);
 
 }  // namespace zona::mpm

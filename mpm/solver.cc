@@ -90,7 +90,8 @@ void Solver::share_bricks() {
     begin.assign(threads_ + 1, static_cast<int>(bricks.size()));
     for (int t = 0; t < threads_; ++t) {
       const long target = until.back() * t / threads_;
-      begin[t] = static_cast<int>(std::lower_bound(until.begin(), until.end() - 1, target) - until.begin());
+      begin[t] = static_cast<int>(std::lower_bound(until.begin(), until.end() - 1, target) -
+                                  until.begin());
     }
   }
 }
@@ -246,7 +247,8 @@ void Solver::update_stress() {
     const auto first = *std::min_element(
         bad_points_.begin(), bad_points_.end(),
         [](auto& a, auto& b) { return std::pair(a.body, a.point) < std::pair(b.body, b.point); });
-    fail_at(model_.bodies[first.body], first.point, "a point was compressed or expanded beyond what a step can describe");
+    fail_at(model_.bodies[first.body], first.point,
+            "a point was compressed or expanded beyond what a step can describe");
   }
   for (auto& body : model_.bodies) {
     if (auto* membrane = std::get_if<Membrane>(&body.material)) {

@@ -49,8 +49,8 @@ class Solver {
   void store_as_walked();
   void share_bricks();
 
-  /// f(brick) for all bricks, colour by colour, in parallel within a colour. A thread always gets the same
-  /// bricks, side by side in space, so that their points stay in its caches.
+  /// f(brick) for all bricks, colour by colour, in parallel within a colour. A thread always gets
+  /// the same bricks, side by side in space, so that their points stay in its caches.
   template <class F>
   void for_coloured_bricks(F f);
   template <class Material>

@@ -54,16 +54,6 @@ Surface::Surface(std::vector<Triangle> triangles, const std::vector<Eigen::Vecto
   }
 }
 
-double Surface::longest_edge(const std::array<Field, 3>& position) const {
-  double longest = 0;
-  for (const auto& t : triangles_) {
-    for (int v = 0; v < 3; ++v) {
-      longest = std::max(longest, (at(position, t[v]) - at(position, t[(v + 1) % 3])).norm());
-    }
-  }
-  return longest;
-}
-
 std::vector<double> Surface::areas(const std::array<Field, 3>& position) const {
   std::vector<double> areas(first_around_.size() - 1, 0.0);
   for (const auto& t : triangles_) {

@@ -35,8 +35,6 @@ class Surface {
   /// Triangles around a point: indices into triangles().
   const int* triangles_begin(int point) const { return &around_[first_around_[point]]; }
   const int* triangles_end(int point) const { return around_.data() + first_around_[point + 1]; }
-  /// Longest edge of the given configuration [m].
-  double longest_edge(const std::array<Field, 3>& position) const;
   /// A third of the area of the triangles around each point [m^2].
   std::vector<double> areas(const std::array<Field, 3>& position) const;
 

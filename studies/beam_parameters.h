@@ -8,8 +8,9 @@
 
 namespace zona::studies {
 
-/// The pipette of a study, filled with a fluid of the given density [kg/m^3]: its bore and glass density
-/// stand in section [pipette], the rest in `section`. Throws InputError for a pipette that is no beam.
+/// The pipette of a study, filled with a fluid of the given density [kg/m^3]: its bore and glass
+/// density stand in section [pipette], the rest in `section`. Throws InputError for a pipette that
+/// is no beam.
 beam::Pipette pipette_from(const Configuration& study, const std::string& section,
                            double fill_density);
 

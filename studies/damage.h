@@ -24,8 +24,8 @@ class DamageMeter {
 
   ZonaDamage measure(const mpm::Body& zona);
 
-  /// Over all measurements so far, of points away from the hole as it is now: largest strain [-] and
-  /// largest displacement [m]. (A point that is yet to fail is not away.)
+  /// Over all measurements so far, of points away from the hole as it is now: largest strain [-]
+  /// and largest displacement [m]. (A point that is yet to fail is not away.)
   double peak_strain_away() const { return peak_away(peak_strain_); }
   double peak_displacement_away() const { return peak_away(peak_displacement_); }
 

@@ -33,7 +33,7 @@ struct PiercingSetup {
     double inner_diameter = 8e-6;
     double tip_length = 15e-6;
     std::array<int, 3> points{2, 60, 45};  ///< radial, circumferential, axial
-    double density = 26441;                ///< glass and fill, spread over the glass; the source's value
+    double density = 26441;  ///< glass and fill, spread over the glass; the source's value
     mpm::Drive drive = mpm::Drive::points;
     mpm::RigidMotion motion;
   } pipette;

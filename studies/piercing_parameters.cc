@@ -139,8 +139,10 @@ void declare_pipette_tip(Schema& schema, const std::string& point_density) {
       .or_auto()
       .doc(
           "Density of the tip's points. \"auto\" spreads the fluid of the bore evenly over the "
-          "glass: 26478 kg/m^3 with mercury, where the source states 26441 (5.4). The motion is prescribed, "
-          "so this mass only sets how firmly the tip holds the grid around it: comparisons keep the "
+          "glass: 26478 kg/m^3 with mercury, where the source states 26441 (5.4). The motion is "
+          "prescribed, "
+          "so this mass only sets how firmly the tip holds the grid around it: comparisons keep "
+          "the "
           "source's value for every fill, lest a light fill seem to slip.");
   schema.choice("pipette.drive", {"points", "nodes"})
       .doc(
@@ -207,7 +209,8 @@ void declare_piercing_run(Schema& schema) {
       .doc("Time step; \"auto\" is courant times the critical step (the source: 0.5 ns).");
   schema.number("time.courant", 0.8)
       .in("(0, 1]")
-      .doc("Fraction of the critical step, cell / wave speed, that an \"auto\" step takes at most.");
+      .doc(
+          "Fraction of the critical step, cell / wave speed, that an \"auto\" step takes at most.");
   schema.section("boundary", "The faces of the domain.");
   schema.choice("boundary.kind", {"absorbing", "free", "fixed", "roller"})
       .doc(

@@ -19,8 +19,8 @@ struct OutputPlan {
 OutputPlan output_plan(const Configuration& study);
 
 /// Runs one piercing and writes history.csv, fields.h5, fields.xdmf and, for a tip history, tip.csv
-/// into an existing directory. `results` becomes its entry of summary.json; when interrupted, of what
-/// was computed, and so too when a point goes wrong (mpm::PointError passes through).
+/// into an existing directory. `results` becomes its entry of summary.json; when interrupted, of
+/// what was computed, and so too when a point goes wrong (mpm::PointError passes through).
 void run_piercing(const PiercingCase& piercing, const OutputPlan& plan,
                   const std::filesystem::path& directory, const std::string& label,
                   Session& session, nlohmann::json& results);

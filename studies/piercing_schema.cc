@@ -29,7 +29,8 @@ void declare_motion(Schema& schema) {
       .doc("Duration of the triangle (5.4).");
   schema.file("motion.trace", "")
       .doc(
-          "File of the recorded history, CSV or HDF5. The CSV begins with headings that carry units, "
+          "File of the recorded history, CSV or HDF5. The CSV begins with headings that carry "
+          "units, "
           "such as `time [us],displacement [um]`. Needed by motion.kind = \"trace\".");
   schema.number("motion.scale", 1)
       .in("[-1e6, 1e6]")

@@ -34,7 +34,8 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
   schema.integer(section + ".elements", elements)
       .in("[1, 1000]")
       .doc(
-          "Number of Hermite cubic beam elements. The source's twenty (5.5) overestimate the amplitude "
+          "Number of Hermite cubic beam elements. The source's twenty (5.5) overestimate the "
+          "amplitude "
           "of the mercury-filled tip after 60 us by a fifth; eighty are good to 1 % of the peak.");
   schema.quantity(section + ".rayleigh_alpha", "1/s", "0 1/s")
       .in("[0, 1e9]")
@@ -58,7 +59,8 @@ void declare_pulse_form(Schema& schema) {
       .in("(0, 0.01]")
       .doc(
           "Peak displacement of the support. Not given in the source; 17.9 um moves the tip of "
-          "the mercury-filled pipette by its 13.5 um (5.4) when the beam is resolved (80 elements).");
+          "the mercury-filled pipette by its 13.5 um (5.4) when the beam is resolved (80 "
+          "elements).");
 }
 
 void declare_beam_integration(Schema& schema, const std::string& section,

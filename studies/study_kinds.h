@@ -23,7 +23,7 @@ using CostEstimate = std::function<std::string(const Configuration&)>;
 
 /// A value of `study = "..."`.
 struct StudyKind {
-  const Schema* schema;   ///< its name, summary and keys; lives as long as the program
+  const Schema* schema;  ///< its name, summary and keys; lives as long as the program
   Prepare prepare;
   CostEstimate estimate;  ///< empty when there is none
 };

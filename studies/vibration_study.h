@@ -39,8 +39,8 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
 /// none.
 std::string amplitude_table(const std::vector<VibrationResult>& results);
 
-/// Checks the pipettes; the job writes history.csv (time and one column of tip displacement per case), the
-/// results and the table.
+/// Checks the pipettes; the job writes history.csv (time and one column of tip displacement per
+/// case), the results and the table.
 Job prepare_vibration(const Configuration& study);
 
 /// The size of the study in one line.

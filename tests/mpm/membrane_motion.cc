@@ -9,9 +9,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Largest and smallest in-plane principal strain [-] of the inner part of a square sheet, so soft that it
-/// flies freely, after its points moved for 1 ms at v = (0, 0, tilting y) + a translation: its slope is then s =
-/// tilting * 1 ms.
+/// Largest and smallest in-plane principal strain [-] of the inner part of a square sheet, so soft
+/// that it flies freely, after its points moved for 1 ms at v = (0, 0, tilting y) + a translation:
+/// its slope is then s = tilting * 1 ms.
 double strain_after_tilting(bool objective, double tilting) {
   const double cell = 8e-6, side = 8e-5;
   BackgroundGrid grid(Vector3d::Constant(-8e-5), Vector3d::Constant(cell), {20, 20, 20});
@@ -42,7 +42,8 @@ TEST_CASE("A membrane that flies without turning is not strained") {
 }
 
 TEST_CASE("A tilted sheet: objective kinematics see its stretch, the source's twice as much") {
-  for (double s : {0.05, 0.1}) {  // steeper sheets span several cells, and averaging on the grid adds percents
+  for (double s :
+       {0.05, 0.1}) {  // steeper sheets span several cells, and averaging on the grid adds percents
     // Exact: lines along y are stretched to sqrt(1 + s^2).
     CHECK(strain_after_tilting(true, s / 1e-3) == Approx(std::sqrt(1 + s * s) - 1).epsilon(0.01));
     // (4.10): the accumulated shear e_yz = s / 2 seen along the slope.

@@ -64,10 +64,12 @@ TEST_CASE("The exact shock tube is the one of 4.4.1") {
 }
 
 TEST_CASE("Shock tube of 4.4.1 converges to the exact solution") {
-  // A captured shock converges at first order in L1. Beyond 200 cells density and pressure stop improving:
-  // points that cross cells at the contact leave the oscillation that the source shows too (Figure 4.12).
+  // A captured shock converges at first order in L1. Beyond 200 cells density and pressure stop
+  // improving: points that cross cells at the contact leave the oscillation that the source shows
+  // too (Figure 4.12).
   const TubeErrors coarse = shock_tube(100), fine = shock_tube(200), finest = shock_tube(400);
-  INFO("L1 errors at 100 cells: " << coarse.density << " " << coarse.velocity << " " << coarse.pressure);
+  INFO("L1 errors at 100 cells: " << coarse.density << " " << coarse.velocity << " "
+                                  << coarse.pressure);
   INFO("L1 errors at 200 cells: " << fine.density << " " << fine.velocity << " " << fine.pressure);
   CHECK(std::log2(coarse.density / fine.density) > 0.9);
   CHECK(std::log2(coarse.velocity / fine.velocity) > 0.9);

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "studies/bundled_studies.h"
 #include "studies/piercing_values.h"
 #include "tests/studies/study_files.h"
 
@@ -19,8 +20,18 @@ TEST_CASE("the bundled study files are valid") {
   CHECK(bundled("piercing_axial.toml").choice("motion.axis") == "axial");
   CHECK(bundled("piercing_beam.toml").quantity("pulse.peak") == 17.9e-6);
   const Configuration comparison = bundled("mercury_vs_water.toml");
-  CHECK(comparison.texts("fill.fluids") == std::vector<std::string>{"mercury", "water", "fluorinert", "none"});
+  CHECK(comparison.texts("fill.fluids") ==
+        std::vector<std::string>{"mercury", "water", "fluorinert", "none"});
   CHECK(comparison.quantities("fill.fluids") == std::vector<double>{13600, 1000, 1780, 0});
+}
+
+TEST_CASE("every study file that is shipped is valid and says what it is for") {
+  for (const auto& study : bundled_studies()) {
+    INFO(study.file.string());
+    CHECK_NOTHROW(load_configuration(study.file));
+    CHECK_FALSE(study.description.empty());
+  }
+  CHECK(bundled_studies().size() >= 15);
 }
 
 TEST_CASE("a vibration resolves to SI") {

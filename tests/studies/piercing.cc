@@ -52,14 +52,16 @@ std::vector<std::string> lines_of(const fs::path& file) {
 TEST_CASE("a piercing writes its summary, history, fields and log") {
   const ScratchDirectory scratch;
   const fs::path out = scratch.path() / "out";
-  const auto answer = call("run " + scratch.write("s.toml", small).string() + " --out " + out.string());
+  const auto answer =
+      call("run " + scratch.write("s.toml", small).string() + " --out " + out.string());
   INFO(answer.text);
   REQUIRE(answer.code == 0);
   CHECK_THAT(answer.text, Contains("million point-steps/s"));
   const auto results = summary_in(out)["results"];
   CHECK(results["fluid"] == "mercury");
   CHECK(results["points"].get<int>() > 3000);
-  CHECK(results["steps"].get<int>() == std::ceil(2e-6 / (0.8 * results["critical_time_step"].get<double>())));
+  CHECK(results["steps"].get<int>() ==
+        std::ceil(2e-6 / (0.8 * results["critical_time_step"].get<double>())));
   CHECK(results["point_steps_per_second"].get<double>() > 0);
   CHECK(results["wall_seconds"].get<double>() > 0);
   CHECK(results["failed_points"] == 0);
@@ -68,7 +70,8 @@ TEST_CASE("a piercing writes its summary, history, fields and log") {
   CHECK(results["simulated_time"].get<double>() == Approx(2e-6));
   const auto lines = lines_of(out / "history.csv");
   CHECK(lines.size() == 12);
-  CHECK_THAT(lines[0], Contains("time [s]") && Contains("force_y [N]") && Contains("failed_points"));
+  CHECK_THAT(lines[0],
+             Contains("time [s]") && Contains("force_y [N]") && Contains("failed_points"));
   CHECK(fs::exists(out / "fields.h5"));
   CHECK_THAT(read_text(out / "fields.xdmf"), Contains("zona"));
   CHECK(fs::exists(out / "log.txt"));
@@ -81,7 +84,8 @@ TEST_CASE("all outputs of a piercing are the same to the last bit for one, two a
   std::vector<std::string> history, fields;
   for (const char* threads : {"1", "2", "3"}) {
     const fs::path out = scratch.path() / threads;
-    REQUIRE(call("run " + file + " --quiet --threads " + threads + " --out " + out.string()).code == 0);
+    REQUIRE(call("run " + file + " --quiet --threads " + threads + " --out " + out.string()).code ==
+            0);
     history.push_back(read_text(out / "history.csv"));
     fields.push_back(read_text(out / "fields.h5"));
   }
@@ -93,18 +97,21 @@ TEST_CASE("all outputs of a piercing are the same to the last bit for one, two a
 TEST_CASE("a comparison runs each fill by its own beam and prints one table") {
   const ScratchDirectory scratch;
   const fs::path out = scratch.path() / "out";
-  const auto answer = call("run " ZONA_SOURCE_DIR "/studies/mercury_vs_water.toml --quiet --out " + out.string() +
-                           " --set 'grid.cell=\"12 um\"' --set 'grid.domain=\"168 um\"' --set zona.level=4"
-                           " --set cytoplasm.points_per_cell=1 --set 'time.end=\"1 us\"'"
-                           " --set 'fill.fluids=[\"mercury\", \"2500 kg/m^3\"]'");
+  const auto answer =
+      call("run " ZONA_SOURCE_DIR "/studies/mercury_vs_water.toml --quiet --out " + out.string() +
+           " --set 'grid.cell=\"12 um\"' --set 'grid.domain=\"168 um\"' --set zona.level=4"
+           " --set cytoplasm.points_per_cell=1 --set 'time.end=\"1 us\"'"
+           " --set 'fill.fluids=[\"mercury\", \"2500 kg/m^3\"]'");
   INFO(answer.text);
   REQUIRE(answer.code == 0);
-  CHECK_THAT(answer.text, Contains("first failure [us]") && Contains("mercury") && Contains("2500 kg/m^3"));
+  CHECK_THAT(answer.text,
+             Contains("first failure [us]") && Contains("mercury") && Contains("2500 kg/m^3"));
   const auto results = summary_in(out)["results"];
   REQUIRE(results.size() == 2);
-  // 0.7562 of the pulse's 17.9 um is the exact tip amplitude of the mercury-filled beam (docs/verification);
-  // 80 elements are good to 1.2 % of the peak.
-  CHECK(results[0]["tip_amplitude"].get<double>() == Approx(0.7562 * 17.9e-6).margin(0.012 * 17.9e-6));
+  // 0.7562 of the pulse's 17.9 um is the exact tip amplitude of the mercury-filled beam
+  // (docs/verification); 80 elements are good to 1.2 % of the peak.
+  CHECK(results[0]["tip_amplitude"].get<double>() ==
+        Approx(0.7562 * 17.9e-6).margin(0.012 * 17.9e-6));
   CHECK(results[1]["tip_amplitude"].get<double>() > results[0]["tip_amplitude"].get<double>());
   for (const char* folder : {"mercury", "2500_kg_m_3"}) {
     CHECK(fs::exists(out / folder / "history.csv"));
@@ -117,7 +124,8 @@ TEST_CASE("a measured trace drives the pipette") {
   scratch.write("trace.csv", "time [us],displacement [um]\n0,0\n1,0\n2,0.1\n3,0.4\n4,0.9\n5,1.6\n");
   const auto file = scratch.write("s.toml", small);
   const std::vector<std::string> overrides{"motion.kind=\"trace\"", "motion.trace=\"trace.csv\"",
-                                           "motion.scale=2", "motion.window_start=\"2 us\"", "time.end=\"3 us\""};
+                                           "motion.scale=2", "motion.window_start=\"2 us\"",
+                                           "time.end=\"3 us\""};
   const auto study = load_configuration(file, overrides);
   const auto piercing = make_piercing_case(study, "mercury", 13600);
   // Between samples of (t - 1 us)^2 the Hermite cubic with second-order slopes is exact.
@@ -156,8 +164,9 @@ TEST_CASE("what only the model can see is refused before anything is written") {
 TEST_CASE("a point that leaves the grid ends the run with exit code 3 and what there was") {
   const ScratchDirectory scratch;
   const fs::path out = scratch.path() / "out";
-  const auto answer = call("run " + scratch.write("s.toml", small).string() + " --quiet --out " + out.string() +
-                           " --set 'motion.amplitude=\"1 mm\"' --set 'time.end=\"20 us\"'");
+  const auto answer =
+      call("run " + scratch.write("s.toml", small).string() + " --quiet --out " + out.string() +
+           " --set 'motion.amplitude=\"1 mm\"' --set 'time.end=\"20 us\"'");
   INFO(answer.text);
   CHECK(answer.code == 3);
   CHECK_THAT(answer.text, Contains("point") && Contains("body") && Contains("step"));

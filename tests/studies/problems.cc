@@ -34,9 +34,8 @@ TEST_CASE("a quantity needs the right unit") {
 }
 
 TEST_CASE("values must be in range") {
-  CHECK_THAT(
-      piercing("[grid]\ncell = \"0 um\"\n"),
-      Contains("\"0 um\" is out of range; needs a length, at least 1e-09 m and at most "
+  CHECK_THAT(piercing("[grid]\ncell = \"0 um\"\n"),
+             Contains("\"0 um\" is out of range; needs a length, at least 1e-09 m and at most "
                       "0.001 m"));
   CHECK_THAT(piercing("zona.poisson_ratio = 0.5"), Contains("above -1 and below 0.5"));
   CHECK_THAT(piercing("zona.poisson_ratio = nan"), Contains("nan is not finite"));

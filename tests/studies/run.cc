@@ -167,7 +167,8 @@ TEST_CASE("a study that is refused while it is prepared writes nothing") {
   RunOptions options;
   options.out = scratch.path() / "run";
   options.out_given = true;
-  CHECK_THROWS_AS(run_configuration(study, {&study.schema(), refuse, nullptr}, options), InputError);
+  CHECK_THROWS_AS(run_configuration(study, {&study.schema(), refuse, nullptr}, options),
+                  InputError);
   CHECK_FALSE(fs::exists(scratch.path() / "run"));
 }
 

@@ -109,7 +109,8 @@ TEST_CASE("the history has one row per sample and one column per case") {
 
 TEST_CASE("a fine mesh with modal superposition gives the exact amplitudes") {
   const ScratchDirectory scratch;
-  run(kSmallStudy, scratch.path() / "out", 2, {"pipette.elements=160", "time.integrator=\"modal\""});
+  run(kSmallStudy, scratch.path() / "out", 2,
+      {"pipette.elements=160", "time.integrator=\"modal\""});
   for (const auto& result : results_in(scratch.path() / "out")) {
     zona::beam::Pipette pipette;
     pipette.fill_density = result["fluid_density"];
