@@ -53,7 +53,9 @@ class History:
 
 
 def prefixed(unit, largest):
-    """Factor and label that make numbers of this size readable, e.g. 1e6 and 'µs'; simple units only."""
+    """Factor and label that make numbers of this size readable, e.g. 1e6 and 'µs'; simple units and areas only."""
+    if unit == "m^2" and 0 < largest < 1e-6:
+        return 1e12, "µm²"
     if unit not in ("s", "m", "N", "J", "Pa", "W", "m/s") or not 0 < largest < np.inf:
         return 1.0, unit
     for size, prefix in PREFIXES:
@@ -80,9 +82,10 @@ def draw(axes, histories, names, unit):
     axes.margins(x=0)
     axes.grid(color="0.9", lw=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    if several:
+    top = axes.get_subplotspec().is_first_row()
+    if several and (top or len(names) > 1):  # runs keep their colours from panel to panel
         axes.legend(frameon=False, fontsize=8, loc="lower left", bbox_to_anchor=(-0.01, 0.98), borderpad=0,
-                    ncol=2 if len(histories) > 1 else 4)
+                    ncol=4 if len(names) == 1 or len(histories) == 1 else 2)
 
 
 def plot(histories, columns, output, dpi):
