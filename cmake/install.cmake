@@ -1,5 +1,5 @@
 include(CMakePackageConfigHelpers)
-install(TARGETS zona_mpm zona_beam zona_coupling zona_compiler EXPORT zona
+install(TARGETS zona_mpm zona_beam zona_coupling zona_abi zona_compiler EXPORT zona
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(module mpm beam coupling)
   install(DIRECTORY ${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zona FILES_MATCHING PATTERN "*.h")
