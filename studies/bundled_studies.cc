@@ -9,12 +9,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path study_directory() {
+fs::path resource(const std::string& name, const fs::path& in_source) {
   std::error_code failure;
   const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-  const fs::path installed = program.parent_path().parent_path() / "share" / "zona" / "studies";
-  return !failure && fs::is_directory(installed, failure) ? installed
-                                                          : fs::path(ZONA_STUDY_DIRECTORY);
+  const fs::path installed = program.parent_path().parent_path() / "share" / "zona" / name;
+  return !failure && fs::is_directory(installed, failure) ? installed : in_source;
 }
 
 std::string first_comment(const fs::path& file) {
@@ -27,6 +26,14 @@ std::string first_comment(const fs::path& file) {
 }
 
 }  // namespace
+
+fs::path study_directory() {
+  return resource("studies", ZONA_STUDY_DIRECTORY);
+}
+
+fs::path figure_directory() {
+  return resource("figures", ZONA_FIGURE_DIRECTORY);
+}
 
 std::vector<BundledStudy> bundled_studies() {
   std::vector<BundledStudy> studies;

@@ -12,6 +12,10 @@ struct BundledStudy {
   std::string description;  ///< its first comment line
 };
 
+/// Folders of what comes with the program: those installed next to it, else those of its source.
+std::filesystem::path study_directory();
+std::filesystem::path figure_directory();
+
 /// The bundled study files by name: those installed next to the program, else those of its source.
 std::vector<BundledStudy> bundled_studies();
 

@@ -28,7 +28,7 @@ int check_study(const std::filesystem::path& file, const std::vector<std::string
   kind.prepare(study);  // what a run would refuse, a check does as well
   fmt::print("{} is a valid {} study. Its parameters in SI:\n\n{}", file.string(), study.kind(),
              si_table(study));
-  if (kind.estimate) fmt::print("\n{}\n", kind.estimate(study));
+  if (kind.estimate) fmt::print("\n{}\n", kind.estimate(study).text);
   return exit_ok;
 }
 

@@ -5,12 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "studies/run_directory.h"
 #include "studies/study_kinds.h"
+#include "studies/summary.h"
 
 namespace zona::studies {
 
 /// What the program answers its caller; others script against these numbers.
-enum ExitCode { exit_ok = 0, exit_bad_input = 2, exit_failed = 3, exit_interrupted = 130 };
+enum ExitCode {
+  exit_ok = 0,
+  exit_bad_input = 2,
+  exit_failed = 3,
+  exit_not_verified = 4,
+  exit_interrupted = 130
+};
 
 /// `zona run`.
 struct RunOptions {
@@ -28,6 +36,17 @@ int run_study(const RunOptions& options);
 
 /// Runs one study of a kind; `run_study` after validation.
 int run_configuration(const Configuration& study, const StudyKind& kind, const RunOptions& options);
+
+/// How a study is computed.
+struct ComputeOptions {
+  int threads = 0;  ///< 0: what the study says, or all
+  bool quiet = false;
+};
+
+/// Computes a valid study into a run directory. Whatever happens becomes the outcome, so that the
+/// summary is written in any case. Throws InputError for what `prepare` finds.
+RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunDirectory& directory,
+                         const ComputeOptions& options);
 
 /// `zona check`: prints every parameter in SI and the cost estimate.
 int check_study(const std::filesystem::path& file, const std::vector<std::string>& overrides);

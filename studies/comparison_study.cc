@@ -67,10 +67,10 @@ std::string comparison_table(const nlohmann::json& results) {
   return table + "\n";
 }
 
-void write_table(const Session& session) {
+void write_table(Session& session) {
   const std::string table = comparison_table(session.results);
   session.directory.write("comparison.txt", table);
-  fmt::print("{}", table);
+  session.conclusion = table;
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ Job prepare_comparison(const Configuration& study) {
       if (Interrupt::requested()) break;
       const auto directory = session.directory.file(directory_name(piercing.fluid));
       std::filesystem::create_directories(directory);
-      session.directory.log(fmt::format("{}: {}", piercing.fluid, piercing_cost(piercing)));
+      session.directory.log(fmt::format("{}: {}", piercing.fluid, piercing_cost(piercing).text));
       session.results.emplace_back();
       try {
         run_piercing(piercing, plan, directory, piercing.fluid, session, session.results.back());
@@ -96,12 +96,14 @@ Job prepare_comparison(const Configuration& study) {
   };
 }
 
-std::string estimate_comparison(const Configuration& study) {
-  std::string text;
+StudyCost estimate_comparison(const Configuration& study) {
+  StudyCost sum;
   for (const auto& piercing : make_cases(study)) {
-    text += fmt::format("{:<12} {}\n", piercing.fluid, piercing_cost(piercing));
+    const StudyCost cost = piercing_cost(piercing);
+    sum.text += fmt::format("{:<12} {}\n", piercing.fluid, cost.text);
+    sum.point_steps += cost.point_steps;
   }
-  return text;
+  return sum;
 }
 
 }  // namespace zona::studies

@@ -5,6 +5,7 @@
 
 #include "studies/commands.h"
 #include "studies/reference.h"
+#include "studies/verification/verify.h"
 #include "studies/version.h"
 
 namespace {
@@ -44,6 +45,22 @@ void add_check(CLI::App& program, RunOptions& options, int& code) {
       [&] { code = with_messages([&] { return check_study(options.file, options.overrides); }); });
 }
 
+void add_verify(CLI::App& program, VerifyOptions& options, int& code) {
+  CLI::App& command = *program.add_subcommand(
+      "verify", "Compute the verification cases and hold them against their references");
+  command.add_option("CASE", options.cases, "Cases (default: all)");
+  command.add_flag("--quick", options.quick, "Smaller runs, within minutes");
+  command.add_flag("--list", options.list, "Only list the cases and what they would cost");
+  command.add_option("--out", options.out, "Directory of the runs (default: runs/verification)");
+  command.add_option("--page", options.page,
+                     "Write the page here, its figures beside it (default: into the directory)");
+  command
+      .add_option("--threads", options.threads, "Number of threads (default: as each study says)")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--quiet", options.quiet, "Show no progress");
+  command.callback([&] { code = with_messages([&] { return verify(options); }); });
+}
+
 int print(const std::string& text) {
   std::cout << text;
   return exit_ok;
@@ -72,12 +89,16 @@ int main(int argc, char** argv) {
   CLI::App program("Piezo-ICSI from the voltage pulse to the pierced zona pellucida.", "zona");
   program.set_version_flag("--version", "zona " + zona_version());
   program.require_subcommand(1);
-  program.footer("Exit codes: 0 done, 2 the input is wrong, 3 the run failed, 130 interrupted.");
+  program.footer(
+      "Exit codes: 0 done, 2 the input is wrong, 3 the run failed, 4 a check of zona verify "
+      "failed, 130 interrupted.");
   RunOptions options;
+  VerifyOptions verification;
   std::string key;
   int code = exit_ok;
   add_run(program, options, code);
   add_check(program, options, code);
+  add_verify(program, verification, code);
   add_references(program, key, code);
   try {
     program.parse(argc, argv);

@@ -190,7 +190,7 @@ void declare_beam_drive(Schema& schema) {
   declare_beam(schema, "beam", 80);
   declare_beam_integration(schema, "beam", {"modal", "newmark", "arkode"});
   schema.section("pulse", "The motion of the beam's support, when motion.kind = \"beam\".");
-  declare_pulse_form(schema);
+  declare_pulse_form(schema, {"triangular"});
   schema.quantity("pulse.duration", "s", "60 us").in("(0, 1]").doc("Duration of the pulse (5.4).");
 }
 

@@ -268,7 +268,7 @@ void run_piercing(const PiercingCase& piercing, const OutputPlan& plan,
   results = run.results();
 }
 
-std::string piercing_cost(const PiercingCase& piercing) {
+StudyCost piercing_cost(const PiercingCase& piercing) {
   const mpm::Model model = build_piercing(piercing.setup);
   double points = 0;
   std::string parts;
@@ -277,11 +277,12 @@ std::string piercing_cost(const PiercingCase& piercing) {
     parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", body.name, body.points.size());
   }
   const double steps = std::floor(piercing.end / piercing.step + 1e-6);
-  return fmt::format(
-      "{:.0f} points ({}); {:.0f} steps of {:.3g} ns, {:.2f} of the critical step; {:.3g} "
-      "point-steps",
-      points, parts, steps, piercing.step * 1e9, piercing.step / piercing.critical_step,
-      points * steps);
+  return {fmt::format(
+              "{:.0f} points ({}); {:.0f} steps of {:.3g} ns, {:.2f} of the critical step; {:.3g} "
+              "point-steps",
+              points, parts, steps, piercing.step * 1e9, piercing.step / piercing.critical_step,
+              points * steps),
+          points * steps};
 }
 
 }  // namespace zona::studies

@@ -6,6 +6,7 @@
 
 #include "studies/piercing_case.h"
 #include "studies/session.h"
+#include "studies/study_kinds.h"
 
 namespace zona::studies {
 
@@ -26,6 +27,6 @@ void run_piercing(const PiercingCase& piercing, const OutputPlan& plan,
                   Session& session, nlohmann::json& results);
 
 /// Points and steps of a piercing, in a line.
-std::string piercing_cost(const PiercingCase& piercing);
+StudyCost piercing_cost(const PiercingCase& piercing);
 
 }  // namespace zona::studies

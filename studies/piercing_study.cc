@@ -13,11 +13,11 @@ Job prepare_piercing(const Configuration& study) {
   const auto piercing = std::make_shared<PiercingCase>(
       make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
   return [piercing, plan = output_plan(study)](Session& session) {
-    session.directory.log(piercing_cost(*piercing));
+    session.directory.log(piercing_cost(*piercing).text);
     run_piercing(*piercing, plan, session.directory.path(), "piercing", session, session.results);
     const auto& r = session.results;
     const auto& first = r["time_of_first_failure"];
-    fmt::print(
+    session.conclusion = fmt::format(
         "{} of the zona's points failed, {:.4g} um^2{}; largest strain away from the hole {:.4f}\n"
         "{:.1f} million point-steps/s on {} threads\n",
         r["failed_points"].get<int>(), r["failed_area"].get<double>() * 1e12,
@@ -28,7 +28,7 @@ Job prepare_piercing(const Configuration& study) {
   };
 }
 
-std::string estimate_piercing(const Configuration& study) {
+StudyCost estimate_piercing(const Configuration& study) {
   return piercing_cost(
       make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
 }

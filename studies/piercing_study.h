@@ -6,11 +6,11 @@ namespace zona::studies {
 
 /// `study = "piercing"`: one fill, one motion.
 Job prepare_piercing(const Configuration& study);
-std::string estimate_piercing(const Configuration& study);
+StudyCost estimate_piercing(const Configuration& study);
 
 /// `study = "comparison"`: one pulse, several fills; beam, coupling and piercing for each, then a
 /// table.
 Job prepare_comparison(const Configuration& study);
-std::string estimate_comparison(const Configuration& study);
+StudyCost estimate_comparison(const Configuration& study);
 
 }  // namespace zona::studies

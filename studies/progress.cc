@@ -62,8 +62,8 @@ void Progress::update(double done, double point_steps, const std::string& quanti
   const double now = clock_();
   const double fraction = total_ > 0 ? done_ / total_ : 0;
   const double waited = now - shown_at_;
-  const bool due = mode_ == Mode::live ? waited >= 0.2
-                                       : waited >= 10 || fraction >= shown_fraction_ + 0.1 - 1e-12;
+  const bool next_tenth = fraction >= shown_fraction_ + 0.1 - 1e-12 && waited >= 0.2;
+  const bool due = mode_ == Mode::live ? waited >= 0.2 : waited >= 10 || next_tenth;
   quantities_ = quantities;
   if (!due) return;
   shown_at_ = now;

@@ -17,7 +17,7 @@ namespace zona::studies {
 
 namespace {
 
-int choose_threads(const Configuration& study, const RunOptions& options) {
+int choose_threads(const Configuration& study, const ComputeOptions& options) {
   long threads = options.threads;
   if (threads == 0 && study.has("run.threads")) threads = study.integer("run.threads");
   return threads > 0 ? static_cast<int>(threads) : omp_get_num_procs();
@@ -28,8 +28,8 @@ RunDirectory make_directory(const RunOptions& options) {
                            : RunDirectory::for_study(options.file);
 }
 
-/// Runs the study; whatever happens becomes a status, so that the summary is written in any case.
-void compute(const Job& job, Session& session, RunOutcome& outcome) {
+/// Whatever happens becomes a status.
+void carry_out(const Job& job, Session& session, RunOutcome& outcome) {
   const Interrupt interrupt;
   const auto started = std::chrono::steady_clock::now();
   try {
@@ -41,31 +41,33 @@ void compute(const Job& job, Session& session, RunOutcome& outcome) {
   }
   outcome.wall_time =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  outcome.conclusion = session.conclusion;
 }
 
-int report(const RunOutcome& outcome, RunDirectory& directory, bool quiet) {
-  const std::string end =
-      fmt::format("{} after {}", outcome.status, duration_text(outcome.wall_time));
-  directory.log(outcome.message.empty() ? end : end + ": " + outcome.message);
+std::string last_words(const RunOutcome& outcome) {
+  return fmt::format("{} after {}", outcome.status, duration_text(outcome.wall_time));
+}
+
+int report(const RunOutcome& outcome, const RunDirectory& directory, bool quiet) {
+  std::cout << outcome.conclusion << std::flush;
   if (outcome.status == "failed") {
     std::cerr << "zona: " << outcome.message << "\nwhat was computed until then is in "
               << directory.path().string() << '\n';
     return exit_failed;
   }
-  if (!quiet) std::cerr << end << "; see " << directory.path().string() << '\n';
+  if (!quiet) std::cerr << last_words(outcome) << "; see " << directory.path().string() << '\n';
   return outcome.status == "interrupted" ? exit_interrupted : exit_ok;
 }
 
 }  // namespace
 
-int run_configuration(const Configuration& study, const StudyKind& kind,
-                      const RunOptions& options) {
+RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunDirectory& directory,
+                         const ComputeOptions& options) {
   RunOutcome outcome;
   outcome.threads = choose_threads(study, options);
   outcome.started = local_time();
   omp_set_num_threads(outcome.threads);
   const Job job = kind.prepare(study);
-  RunDirectory directory = make_directory(options);
   directory.write("study.toml", resolved_study(study));
   directory.log(fmt::format("zona {} ({}), {} study of {}, {} threads", zona_version(),
                             compiler_version(), study.kind(), study.file().string(),
@@ -74,9 +76,20 @@ int run_configuration(const Configuration& study, const StudyKind& kind,
   {
     Progress progress(Progress::suitable_mode(options.quiet), std::cerr);
     Session session{directory, progress, results, outcome.threads};
-    compute(job, session, outcome);
+    carry_out(job, session, outcome);
   }
   directory.write("summary.json", summary_text(study, outcome, results));
+  directory.log(outcome.message.empty() ? last_words(outcome)
+                                        : last_words(outcome) + ": " + outcome.message);
+  return outcome;
+}
+
+int run_configuration(const Configuration& study, const StudyKind& kind,
+                      const RunOptions& options) {
+  kind.prepare(study);  // refuses what is wrong before a directory is made
+  RunDirectory directory = make_directory(options);
+  const RunOutcome outcome =
+      compute_study(study, kind, directory, {options.threads, options.quiet});
   return report(outcome, directory, options.quiet);
 }
 

@@ -52,9 +52,12 @@ void declare_fill_fluids(Schema& schema) {
       .doc("Fluids that fill the bore, one run each: by name (Table 5.7) or by density.");
 }
 
-void declare_pulse_form(Schema& schema) {
-  schema.choice("pulse.shape", {"triangular"})
-      .doc("Form of the support's displacement: up and down at constant speed (Figure 5.27).");
+void declare_pulse_form(Schema& schema, const std::vector<std::string>& shapes) {
+  const bool has_sine = std::find(shapes.begin(), shapes.end(), "sine") != shapes.end();
+  const std::string sine = has_sine ? ", or a sine that starts at once (Figure 5.26)" : "";
+  schema.choice("pulse.shape", shapes)
+      .doc("Form of the support's displacement: up and down at constant speed (Figure 5.27)" +
+           sine + ".");
   schema.quantity("pulse.peak", "m", "17.9 um")
       .in("(0, 0.01]")
       .doc(

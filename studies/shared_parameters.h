@@ -15,7 +15,7 @@ std::vector<NamedValue> fill_fluids();
 void declare_pipette_bore(Schema& schema, const std::string& section);
 void declare_beam(Schema& schema, const std::string& section, long elements);
 void declare_fill_fluids(Schema& schema);
-void declare_pulse_form(Schema& schema);
+void declare_pulse_form(Schema& schema, const std::vector<std::string>& shapes);
 /// The first of the integrators is the default.
 void declare_beam_integration(Schema& schema, const std::string& section,
                               const std::vector<std::string>& integrators);

@@ -18,8 +18,12 @@ using Job = std::function<void(Session&)>;
 /// written; throws InputError. Returns what is then to be done.
 using Prepare = std::function<Job(const Configuration&)>;
 
-/// What a study will cost (points, steps, time), in a few lines, without computing it.
-using CostEstimate = std::function<std::string(const Configuration&)>;
+/// What a study will cost, without computing it.
+struct StudyCost {
+  std::string text;        ///< points, steps, time, in a few lines
+  double point_steps = 0;  ///< points times steps; 0 where that means nothing
+};
+using CostEstimate = std::function<StudyCost(const Configuration&)>;
 
 /// A value of `study = "..."`.
 struct StudyKind {

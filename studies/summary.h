@@ -14,6 +14,7 @@ struct RunOutcome {
   std::string started;   ///< local date and time
   double wall_time = 0;  ///< [s]
   int threads = 1;
+  std::string conclusion;  ///< what the study told the user
 };
 
 /// Content of summary.json: study, outcome, versions and the results of the study, in SI units.

@@ -14,18 +14,28 @@ Schema make_vibration_schema() {
       .in("(0, 30000]")
       .doc("Density of the glass (5.4); with the fluid it gives the mass per length of Table 5.5.");
   declare_beam(schema, "pipette", 20);
+  schema.choice("pipette.supports", {"clamped", "pinned"})
+      .doc(
+          "Clamped at the moving support and free at the tip, which is observed (Figure 5.24); or "
+          "simply supported at both ends, the left one moving, observed at the centre (Figure "
+          "5.25).");
 
   schema.section("fill", "What fills the bore.");
   declare_fill_fluids(schema);
 
   schema.section("pulse", "The lateral motion of the support.");
-  declare_pulse_form(schema);
+  declare_pulse_form(schema, {"triangular", "sine"});
   schema
       .quantities("pulse.durations", "s",
                   {"60 us", "120 us", "180 us", "240 us", "300 us", "360 us", "420 us", "480 us",
                    "540 us", "600 us"})
       .in("(0, 1]")
-      .doc("Durations of the pulse, one run each (5.5: 60 to 600 us in steps of 60 us).");
+      .doc("Durations of a triangular pulse, one run each (5.5: 60 to 600 us in steps of 60 us).");
+  schema
+      .quantities("pulse.angular_frequencies", "rad/s",
+                  {"5200 rad/s", "52000 rad/s", "208000 rad/s"})
+      .in("(0, 1e9]")
+      .doc("Angular frequencies of a sine, one run each (Figure 5.26).");
 
   schema.section("time", "Time integration of the beam.");
   declare_beam_integration(schema, "time", {"newmark", "arkode", "modal"});
@@ -41,6 +51,9 @@ Schema make_vibration_schema() {
   });
   schema.check([](const Configuration& study, const Complain& complain) {
     check_distinct("pulse.durations", study, complain);
+  });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_distinct("pulse.angular_frequencies", study, complain);
   });
   return schema;
 }

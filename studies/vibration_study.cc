@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -30,11 +29,19 @@ struct FilledPipette {
 
 FilledPipette fill_pipette(const Configuration& study, double density) {
   const beam::Pipette pipette = pipette_from(study, "pipette", density);
-  FilledPipette filled{beam::cantilever(pipette), integrator_from(study, "time", pipette), {}};
+  const bool is_pinned = study.choice("pipette.supports") == "pinned";
+  FilledPipette filled{is_pinned ? beam::simply_supported(pipette) : beam::cantilever(pipette),
+                       integrator_from(study, "time", pipette),
+                       {}};
   const Eigen::VectorXd frequency = beam::natural_modes(filled.system).frequency();
   const Eigen::Index count = std::min(frequency.size(), kReportedFrequencies);
   filled.natural_frequencies.assign(frequency.data(), frequency.data() + count);
   return filled;
+}
+
+beam::SupportMotion support_motion(const VibrationCase& setup, double peak) {
+  if (setup.angular_frequency > 0) return beam::SineMotion{peak, setup.angular_frequency};
+  return beam::triangular_pulse(peak, setup.pulse_duration);
 }
 
 VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pipette,
@@ -42,8 +49,8 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   VibrationResult result;
   result.setup = setup;
   result.natural_frequencies = pipette.natural_frequencies;
-  result.history = integrate(pipette.system, beam::triangular_pulse(peak, setup.pulse_duration),
-                             sampling, pipette.integrator);
+  result.history =
+      integrate(pipette.system, support_motion(setup, peak), sampling, pipette.integrator);
   const beam::TipHistory& history = result.history;
   const std::size_t farthest = beam::index_of_peak(history.displacement);
   const std::size_t fastest = beam::index_of_peak(history.velocity);
@@ -59,6 +66,7 @@ nlohmann::json to_json(const VibrationResult& result) {
   return {{"fluid", result.setup.fluid},
           {"fluid_density", result.setup.fluid_density},
           {"pulse_duration", result.setup.pulse_duration},
+          {"angular_frequency", result.setup.angular_frequency},
           {"amplitude_ratio", result.amplitude_ratio},
           {"natural_frequencies", result.natural_frequencies},
           {"peak_displacement", result.peak_displacement},
@@ -67,16 +75,11 @@ nlohmann::json to_json(const VibrationResult& result) {
           {"time_of_peak_velocity", result.time_of_peak_velocity}};
 }
 
-std::string microseconds(double seconds) {
-  return fmt::format("{:.6g} us", seconds * 1e6);
-}
-
 void write_history(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
   std::vector<Column> columns = {{"time", "s"}};
   for (const VibrationResult& result : results)
     columns.push_back(
-        {fmt::format("tip {} {}", result.setup.fluid, microseconds(result.setup.pulse_duration)),
-         "m"});
+        {fmt::format("tip {} {}", result.setup.fluid, result.setup.pulse_label()), "m"});
   HistoryFile file(directory.file("history.csv"), columns);
   const std::size_t samples = results.empty() ? 0 : results.front().history.time.size();
   std::vector<double> row(columns.size());
@@ -96,13 +99,20 @@ void add_once(std::vector<Value>& values, const Value& value) {
 
 }  // namespace
 
+std::string VibrationCase::pulse_label() const {
+  return angular_frequency > 0 ? fmt::format("{:.6g} rad/s", angular_frequency)
+                               : fmt::format("{:.6g} us", pulse_duration * 1e6);
+}
+
 std::vector<VibrationCase> vibration_cases(const Configuration& study) {
   const std::vector<double> densities = study.quantities("fill.fluids");
   const std::vector<std::string> names = study.texts("fill.fluids");
+  const bool is_sine = study.choice("pulse.shape") == "sine";
+  const char* pulses = is_sine ? "pulse.angular_frequencies" : "pulse.durations";
   std::vector<VibrationCase> cases;
   for (std::size_t fluid = 0; fluid < densities.size(); ++fluid)
-    for (const double duration : study.quantities("pulse.durations"))
-      cases.push_back({names[fluid], densities[fluid], duration});
+    for (const double pulse : study.quantities(pulses))
+      cases.push_back({names[fluid], densities[fluid], is_sine ? 0 : pulse, is_sine ? pulse : 0});
   return cases;
 }
 
@@ -111,7 +121,7 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
   std::vector<FilledPipette> pipettes;
   for (const double density : study.quantities("fill.fluids"))
     pipettes.push_back(fill_pipette(study, density));
-  const std::size_t durations = cases.size() / pipettes.size();
+  const std::size_t pulses = cases.size() / pipettes.size();
   const beam::Sampling sampling = sampling_from(study, "time");
   const double peak = study.quantity("pulse.peak");
 
@@ -123,13 +133,12 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (Interrupt::requested()) continue;
     try {
-      slots[i] = compute_case(cases[i], pipettes[i / durations], sampling, peak);
+      slots[i] = compute_case(cases[i], pipettes[i / pulses], sampling, peak);
     } catch (...) {
       failures[i] = std::current_exception();
     }
 #pragma omp critical(zona_vibration_progress)
-    session.progress.update(++done, 0,
-                            cases[i].fluid + ", " + microseconds(cases[i].pulse_duration));
+    session.progress.update(++done, 0, cases[i].fluid + ", " + cases[i].pulse_label());
   }
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);
@@ -142,21 +151,21 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
 
 std::string amplitude_table(const std::vector<VibrationResult>& results) {
   std::vector<std::string> fluids;
-  std::vector<double> durations;
+  std::vector<std::string> pulses;
   for (const VibrationResult& result : results) {
     add_once(fluids, result.setup.fluid);
-    add_once(durations, result.setup.pulse_duration);
+    add_once(pulses, result.setup.pulse_label());
   }
   std::string table = fmt::format("{:<16}", "amplitude ratio");
-  for (const double duration : durations) table += fmt::format(" {:>10}", microseconds(duration));
+  for (const std::string& pulse : pulses) table += fmt::format(" {:>12}", pulse);
   for (const std::string& fluid : fluids) {
     table += fmt::format("\n{:<16}", fluid);
-    for (const double duration : durations) {
+    for (const std::string& pulse : pulses) {
       const auto cell = std::find_if(results.begin(), results.end(), [&](const auto& result) {
-        return result.setup.fluid == fluid && result.setup.pulse_duration == duration;
+        return result.setup.fluid == fluid && result.setup.pulse_label() == pulse;
       });
-      table += cell == results.end() ? fmt::format(" {:>10}", "-")
-                                     : fmt::format(" {:>10.4f}", cell->amplitude_ratio);
+      table += cell == results.end() ? fmt::format(" {:>12}", "-")
+                                     : fmt::format(" {:>12.4f}", cell->amplitude_ratio);
     }
   }
   return table + "\n";
@@ -171,15 +180,15 @@ Job prepare_vibration(const Configuration& study) {
     write_history(session.directory, results);
     const std::string table = amplitude_table(results);
     session.directory.log("greatest tip displacement over peak support displacement\n" + table);
-    std::cout << table << std::flush;
+    session.conclusion = table;
   };
 }
 
-std::string estimate_vibration(const Configuration& study) {
+StudyCost estimate_vibration(const Configuration& study) {
   const beam::Sampling sampling = sampling_from(study, "time");
-  return fmt::format("{} runs of {} samples with {} beam elements, by {}",
-                     vibration_cases(study).size(), beam::sample_count(sampling),
-                     study.integer("pipette.elements"), study.choice("time.integrator"));
+  return {fmt::format("{} runs of {} samples with {} beam elements, by {}",
+                      vibration_cases(study).size(), beam::sample_count(sampling),
+                      study.integer("pipette.elements"), study.choice("time.integrator"))};
 }
 
 }  // namespace zona::studies

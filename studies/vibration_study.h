@@ -11,9 +11,13 @@ namespace zona::studies {
 
 /// One fluid and one pulse of a vibration study.
 struct VibrationCase {
-  std::string fluid;          ///< as written in the study: "mercury", "2500 kg/m^3"
-  double fluid_density = 0;   ///< [kg/m^3]
-  double pulse_duration = 0;  ///< [s]
+  std::string fluid;             ///< as written in the study: "mercury", "2500 kg/m^3"
+  double fluid_density = 0;      ///< [kg/m^3]
+  double pulse_duration = 0;     ///< of a triangular pulse [s]
+  double angular_frequency = 0;  ///< of a sine [rad/s]
+
+  /// "60 us" or "52000 rad/s".
+  std::string pulse_label() const;
 };
 
 /// What a case came to. Displacements and velocities are absolute (fixed frame).
@@ -28,14 +32,14 @@ struct VibrationResult {
   beam::TipHistory history;
 };
 
-/// All fluids with all durations, fluid by fluid, in the order of the study.
+/// All fluids with all pulses, fluid by fluid, in the order of the study.
 std::vector<VibrationCase> vibration_cases(const Configuration& study);
 
 /// Computes the cases in parallel; the results are in the order of the cases and do not depend on
 /// the number of threads. After an interrupt the cases not begun are left out.
 std::vector<VibrationResult> compute_vibration(const Configuration& study, Session& session);
 
-/// Amplitude ratios as a table, one row per fluid and one column per duration; "-" where there is
+/// Amplitude ratios as a table, one row per fluid and one column per pulse; "-" where there is
 /// none.
 std::string amplitude_table(const std::vector<VibrationResult>& results);
 
@@ -44,6 +48,6 @@ std::string amplitude_table(const std::vector<VibrationResult>& results);
 Job prepare_vibration(const Configuration& study);
 
 /// The size of the study in one line.
-std::string estimate_vibration(const Configuration& study);
+StudyCost estimate_vibration(const Configuration& study);
 
 }  // namespace zona::studies

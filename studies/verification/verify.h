@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace zona::studies {
+
+/// `zona verify`.
+struct VerifyOptions {
+  std::vector<std::string> cases;  ///< empty: all
+  bool quick = false;
+  bool list = false;           ///< only list the cases and what they cost
+  std::filesystem::path out;   ///< empty: runs/verification or runs/verification-quick
+  std::filesystem::path page;  ///< another place for the page; empty: in `out`
+  int threads = 0;             ///< 0: as each study says
+  bool quiet = false;
+};
+
+/// Computes the verification cases that are not done yet, compares them with their references,
+/// prints the table and writes the page. Answers exit_ok, or exit_not_verified when a check fails.
+/// Throws InputError.
+int verify(const VerifyOptions& options);
+
+}  // namespace zona::studies
