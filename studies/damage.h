@@ -24,6 +24,9 @@ class DamageMeter {
 
   ZonaDamage measure(const mpm::Body& zona);
 
+  /// Positions of the zona's points before the run [m].
+  const std::vector<Eigen::Vector3d>& reference() const { return reference_; }
+
   /// Over all measurements so far, of points away from the hole as it is now: largest strain [-]
   /// and largest displacement [m]. (A point that is yet to fail is not away.)
   double peak_strain_away() const { return peak_away(peak_strain_); }

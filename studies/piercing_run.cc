@@ -11,6 +11,7 @@
 #include "mpm/diagnostics.h"
 #include "mpm/errors.h"
 #include "studies/damage.h"
+#include "studies/failure_pattern.h"
 #include "studies/history_file.h"
 #include "studies/interrupt.h"
 #include "studies/piercing_frames.h"
@@ -226,6 +227,8 @@ nlohmann::json PiercingRun::results() const {
   r["largest_excursion"] = largest_excursion_;
   r["failed_points"] = zona.failed_points;
   r["failed_area"] = damage_.failed_area;
+  r["failure_pattern"] =
+      to_json(failure_pattern(zona, meter_.reference(), piercing_geometry(case_.setup).tip));
   r["time_of_first_failure"] =
       std::isfinite(first_failure) ? nlohmann::json(first_failure) : nlohmann::json();
   r["largest_strain_away"] = meter_.peak_strain_away();
