@@ -69,7 +69,7 @@ std::vector<Run> support_runs(Extent) {
 
 Evaluation evaluate_support(const CaseResults& results, Extent) {
   Evaluation evaluation;
-  const Table history = results["sine"].table("history.csv");
+  const ResultTable history = results["sine"].table("history.csv");
   Figure figure{"deflection",
                 "Deflection of the centre: finite elements, the complete series, and "
                 "the series as (5.74) prints it (with its factor 2/l).",

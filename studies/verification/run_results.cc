@@ -34,7 +34,7 @@ double parse(const std::string& cell) {
 
 }  // namespace
 
-Table::Table(const std::filesystem::path& file) : file_(file) {
+ResultTable::ResultTable(const std::filesystem::path& file) : file_(file) {
   std::ifstream stream(file);
   std::string line;
   if (!std::getline(stream, line)) throw RunError(file.string() + " cannot be read");
@@ -49,11 +49,11 @@ Table::Table(const std::filesystem::path& file) : file_(file) {
   if (rows() == 0) throw RunError(file.string() + " holds no rows");
 }
 
-bool Table::has(const std::string& name) const {
+bool ResultTable::has(const std::string& name) const {
   return std::find(names_.begin(), names_.end(), name) != names_.end();
 }
 
-const std::vector<double>& Table::operator[](const std::string& name) const {
+const std::vector<double>& ResultTable::operator[](const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end()) {
     throw RunError(fmt::format("{} has no column {}; there are {}", file_.string(), name,

@@ -9,10 +9,10 @@
 namespace zona::studies::verification {
 
 /// A CSV table of a run: its first row names the columns, "time [s]".
-class Table {
+class ResultTable {
  public:
   /// Throws RunError when the file cannot be read or holds no rows.
-  explicit Table(const std::filesystem::path& file);
+  explicit ResultTable(const std::filesystem::path& file);
 
   /// A column by its name without unit. Throws RunError with the names there are.
   const std::vector<double>& operator[](const std::string& name) const;
@@ -38,7 +38,7 @@ class RunResults {
   double number(const std::string& name) const;
   double wall_seconds() const;
   /// A table of the run, e.g. "history.csv".
-  Table table(const std::string& name) const { return Table(directory_ / name); }
+  ResultTable table(const std::string& name) const { return ResultTable(directory_ / name); }
 
  private:
   std::filesystem::path directory_;

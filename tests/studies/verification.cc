@@ -40,14 +40,14 @@ TEST_CASE("an observed order is the slope of the errors") {
 TEST_CASE("tables of a run are read by the names of their columns") {
   const ScratchFolder scratch;
   std::ofstream(scratch / "table.csv") << "time [s],failed_points\n0,1\n0.5,inf\n1,3\n";
-  const Table table(scratch / "table.csv");
+  const ResultTable table(scratch / "table.csv");
   CHECK(table.rows() == 3);
   CHECK(interpolate(table["time"], {1, 2, 3}, 0.75) == Approx(2.5));
   CHECK(interpolate(table["time"], {1, 2, 3}, 9) == 3);
   CHECK(std::isinf(table["failed_points"][1]));
   CHECK_THROWS_WITH(table["tme"], Contains("has no column tme; there are time, failed_points"));
   std::ofstream(scratch / "torn.csv") << "a,b\n1,2\n3\n";
-  CHECK_THROWS_WITH(Table(scratch / "torn.csv"), Contains("torn"));
+  CHECK_THROWS_WITH(ResultTable(scratch / "torn.csv"), Contains("torn"));
   CHECK_THROWS_WITH(RunResults(scratch.path()), Contains("summary.json"));
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("zona verify computes what is missing, and only that") {
   const Answer first = call(command);
   CHECK(first.code == 0);
   CHECK_THAT(first.text, Contains("pipette_frequencies: pass") && Contains("1 of 1 cases passed"));
-  CHECK_THAT(read_text(scratch / "verification.md"), Contains("| frequency 1 of Table 5.6"));
+  CHECK_THAT(read_text(scratch / "verification.md"), Contains("| frequency 1 of ResultTable 5.6"));
 
   const fs::path run = fs::path(scratch.path()) / "pipette_frequencies" / "elements-20";
   const auto computed = fs::last_write_time(run / "summary.json");
