@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "studies/references/profile_errors.h"
+
 namespace zona::studies::verification {
 
 namespace {
@@ -59,7 +61,7 @@ Check at_least(const std::string& quantity, double value, double limit, const st
 
 Check converges(const std::string& quantity, const std::vector<double>& sizes,
                 const std::vector<double>& errors, double order, const std::string& origin) {
-  const double observed = observed_order(sizes, errors);
+  const double observed = references::observed_order(sizes, errors);
   std::string series;
   for (const double error : errors) series += (series.empty() ? "" : ", ") + shown(error);
   return {"order of " + quantity,
@@ -74,30 +76,6 @@ Check converges(const std::string& quantity, const std::vector<double>& sizes,
 Check told(const std::string& quantity, double value, const std::string& reference,
            const std::string& meaning) {
   return {quantity, shown(value), reference, "", "", meaning, Verdict::told};
-}
-
-double observed_order(const std::vector<double>& sizes, const std::vector<double>& errors) {
-  if (sizes.size() < 2 || sizes.size() != errors.size()) {
-    throw std::invalid_argument(
-        fmt::format("an order needs two sizes or more and as many errors, "
-                    "got {} and {}",
-                    sizes.size(), errors.size()));
-  }
-  const double n = static_cast<double>(sizes.size());
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (!(sizes[i] > 0) || !(errors[i] > 0)) {
-      throw std::invalid_argument(fmt::format(
-          "an order needs positive sizes and errors, got {} and {}", sizes[i], errors[i]));
-    }
-    const double u = std::log(sizes[i]);
-    const double v = std::log(errors[i]);
-    x += u;
-    y += v;
-    xx += u * u;
-    xy += u * v;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
 }
 
 Verdict verdict_of(const std::vector<Check>& checks) {

@@ -39,10 +39,6 @@ Check converges(const std::string& quantity, const std::vector<double>& sizes,
 Check told(const std::string& quantity, double value, const std::string& reference,
            const std::string& meaning);
 
-/// Least-squares slope of log(error) over log(size). Throws std::invalid_argument for fewer than
-/// two sizes or values that are not positive.
-double observed_order(const std::vector<double>& sizes, const std::vector<double>& errors);
-
 /// failed if any check failed, else passed.
 Verdict verdict_of(const std::vector<Check>& checks);
 /// "pass", "FAIL", "told".

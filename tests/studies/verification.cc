@@ -29,12 +29,9 @@ TEST_CASE("checks pass and fail at their limits") {
   CHECK(verdict_of({told("a", 1, "none", ""), at_most("a", 2, 1, "")}) == Verdict::failed);
 }
 
-TEST_CASE("an observed order is the slope of the errors") {
-  CHECK(observed_order({1, 0.5, 0.25}, {3, 0.75, 0.1875}) == Approx(2));
+TEST_CASE("a check of convergence holds the slope of the errors against a limit") {
   CHECK(converges("a", {0.1, 0.2}, {1, 2}, 0.99, "").verdict == Verdict::passed);
   CHECK(converges("a", {0.1, 0.2}, {1, 2}, 1.1, "").verdict == Verdict::failed);
-  CHECK_THROWS_AS(observed_order({1}, {1}), std::invalid_argument);
-  CHECK_THROWS_AS(observed_order({1, 2}, {1, 0}), std::invalid_argument);
 }
 
 TEST_CASE("tables of a run are read by the names of their columns") {
