@@ -26,7 +26,7 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-double parse(const std::string& cell) {
+double number_in(const std::string& cell) {
   double value = std::numeric_limits<double>::quiet_NaN();
   std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return value;
@@ -38,28 +38,52 @@ ResultTable::ResultTable(const std::filesystem::path& file) : file_(file) {
   std::ifstream stream(file);
   std::string line;
   if (!std::getline(stream, line)) throw RunError(file.string() + " cannot be read");
-  for (const std::string& heading : split(line))
+  for (const std::string& heading : split(line)) {
     names_.push_back(heading.substr(0, heading.find(" [")));
-  columns_.resize(names_.size());
+  }
   while (std::getline(stream, line)) {
-    const auto cells = split(line);
-    if (cells.size() != names_.size()) throw RunError(file.string() + " has a torn row");
-    for (std::size_t c = 0; c < cells.size(); ++c) columns_[c].push_back(parse(cells[c]));
+    cells_.push_back(split(line));
+    if (cells_.back().size() != names_.size()) throw RunError(file.string() + " has a torn row");
   }
   if (rows() == 0) throw RunError(file.string() + " holds no rows");
+  parse();
+}
+
+void ResultTable::parse() {
+  columns_.assign(names_.size(), {});
+  for (const auto& row : cells_) {
+    for (std::size_t c = 0; c < row.size(); ++c) columns_[c].push_back(number_in(row[c]));
+  }
 }
 
 bool ResultTable::has(const std::string& name) const {
   return std::find(names_.begin(), names_.end(), name) != names_.end();
 }
 
-const std::vector<double>& ResultTable::operator[](const std::string& name) const {
+std::size_t ResultTable::column(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end()) {
     throw RunError(fmt::format("{} has no column {}; there are {}", file_.string(), name,
                                fmt::join(names_, ", ")));
   }
-  return columns_[static_cast<std::size_t>(found - names_.begin())];
+  return static_cast<std::size_t>(found - names_.begin());
+}
+
+const std::vector<double>& ResultTable::operator[](const std::string& name) const {
+  return columns_[column(name)];
+}
+
+ResultTable ResultTable::where(const std::string& name, const std::string& text) const {
+  const std::size_t c = column(name);
+  ResultTable chosen = *this;
+  const auto other = [&](const std::vector<std::string>& row) { return row[c] != text; };
+  chosen.cells_.erase(std::remove_if(chosen.cells_.begin(), chosen.cells_.end(), other),
+                      chosen.cells_.end());
+  if (chosen.rows() == 0) {
+    throw RunError(fmt::format("{} has no row whose {} is {}", file_.string(), name, text));
+  }
+  chosen.parse();
+  return chosen;
 }
 
 RunResults::RunResults(const std::filesystem::path& directory) : directory_(directory) {

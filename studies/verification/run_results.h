@@ -17,12 +17,18 @@ class ResultTable {
   /// A column by its name without unit. Throws RunError with the names there are.
   const std::vector<double>& operator[](const std::string& name) const;
   bool has(const std::string& name) const;
-  std::size_t rows() const { return columns_.front().size(); }
+  std::size_t rows() const { return cells_.size(); }
+  /// The rows whose cell in a column is this text. Throws RunError when there are none.
+  ResultTable where(const std::string& name, const std::string& text) const;
 
  private:
+  std::size_t column(const std::string& name) const;
+  void parse();
+
   std::filesystem::path file_;
   std::vector<std::string> names_;
-  std::vector<std::vector<double>> columns_;
+  std::vector<std::vector<std::string>> cells_;  ///< row by row
+  std::vector<std::vector<double>> columns_;     ///< NaN where a cell is no number
 };
 
 /// What a finished run left in its directory.

@@ -43,6 +43,10 @@ TEST_CASE("tables of a run are read by the names of their columns") {
   CHECK(interpolate(table["time"], {1, 2, 3}, 9) == 3);
   CHECK(std::isinf(table["failed_points"][1]));
   CHECK_THROWS_WITH(table["tme"], Contains("has no column tme; there are time, failed_points"));
+  std::ofstream(scratch / "named.csv") << "profile,x\nfine,1\ncoarse,2\nfine,3\n";
+  const ResultTable named(scratch / "named.csv");
+  CHECK(named.where("profile", "fine")["x"] == std::vector<double>{1, 3});
+  CHECK_THROWS_WITH(named.where("profile", "none"), Contains("no row whose profile is none"));
   std::ofstream(scratch / "torn.csv") << "a,b\n1,2\n3\n";
   CHECK_THROWS_WITH(ResultTable(scratch / "torn.csv"), Contains("torn"));
   CHECK_THROWS_WITH(RunResults(scratch.path()), Contains("summary.json"));

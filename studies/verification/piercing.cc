@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/verification/case_list.h"
+
+namespace zona::studies::verification {
+
+namespace {
+
+const std::vector<std::string> laws{"elastodamage", "decohesion"};
+
+std::string law_override(const std::string& law) {
+  return fmt::format("zona.law=\"{}\"", law);
+}
+
+/// Bundled piercings by cell size [um], coarsest first.
+struct Resolution {
+  int cell;
+  std::string suffix;  ///< of the study file
+};
+
+std::vector<Resolution> resolutions(Extent extent) {
+  if (extent == Extent::quick) return {{9, "_quick"}};
+  return {{9, "_quick"}, {6, ""}, {5, "_5um"}, {4, "_4um"}};
+}
+
+std::string label(const std::string& law, int cell) {
+  return fmt::format("{}-{}um", law, cell);
+}
+
+double square_micrometres(const RunResults& run) {
+  return run.number("failed_area") * 1e12;
+}
+
+// ---- lateral
+
+std::vector<Run> lateral_runs(Extent extent) {
+  std::vector<Run> runs;
+  for (const auto& [cell, suffix] : resolutions(extent)) {
+    for (const std::string& law : laws) {
+      runs.push_back(
+          {label(law, cell), "piercing_lateral" + suffix + ".toml", {law_override(law)}});
+    }
+  }
+  return runs;
+}
+
+void tell_pattern(const std::string& name, const RunResults& run, Evaluation& evaluation) {
+  const auto& pattern = run.results().at("failure_pattern");
+  const auto micrometres = [&](const char* key) { return pattern.at(key).get<double>() * 1e6; };
+  const auto tell = [&](const char* what, double value, const char* meaning) {
+    evaluation.checks.push_back(told(fmt::format("{}: {}", name, what), value, "none", meaning));
+  };
+  tell("failed area [um^2]", square_micrometres(run), "undeformed area of the failed points");
+  tell("length of the band [um]", micrometres("y_high") - micrometres("y_low"),
+       "along the vibration");
+  tell("width of the band [um]", micrometres("z_high") - micrometres("z_low"), "across it");
+  tell("mean distance [um]", micrometres("mean_distance"), "from the middle of the contact");
+  tell("share on the diagonals", pattern.at("share_diagonal"),
+       "of the area outside the tip, within 15 degrees of 45; four corners would give nearly 1, a "
+       "ring 1/3");
+}
+
+Panel area_over_time(const CaseResults& results, const std::string& law, Extent extent) {
+  Panel panel{law, {"time [us]"}, {"failed area [um^2]"}, {}};
+  for (const auto& [cell, suffix] : resolutions(extent)) {
+    const ResultTable history = results[label(law, cell)].table("history.csv");
+    Curve curve{fmt::format("{} um", cell), {}, {}, Style::line};
+    for (std::size_t i = 0; i < history.rows(); ++i) {
+      curve.x.push_back(history["time"][i] * 1e6);
+      curve.y.push_back(history["failed_area"][i] * 1e12);
+    }
+    panel.curves.push_back(std::move(curve));
+  }
+  return panel;
+}
+
+Evaluation evaluate_lateral(const CaseResults& results, Extent extent) {
+  Evaluation evaluation;
+  Figure areas{"area", "Failed area over time, by law and cell size.", {}, {}};
+  for (const std::string& law : laws) {
+    double smallest = HUGE_VAL, largest = 0;
+    Figure pictures{law, fmt::format("The zona with {}, failed points red.", law), {}, {}};
+    for (const auto& [cell, suffix] : resolutions(extent)) {
+      const RunResults& run = results[label(law, cell)];
+      evaluation.checks.push_back(
+          at_least(fmt::format("failed points, {}, {} um", law, cell), run.number("failed_points"),
+                   1, "the source's main finding: the lateral vibration pierces the zona"));
+      tell_pattern(fmt::format("{}, {} um", law, cell), run, evaluation);
+      smallest = std::min(smallest, square_micrometres(run));
+      largest = std::max(largest, square_micrometres(run));
+      pictures.zona.push_back({label(law, cell), {28, 52, 76, 100}});
+    }
+    if (extent == Extent::full) {
+      evaluation.checks.push_back(
+          told(fmt::format("largest over smallest failed area of the cell sizes, {}", law),
+               largest / smallest,
+               law == "decohesion" ? "\"independent of the mesh\"" : "\"mesh-dependent\"",
+               "1 would be independence"));
+    }
+    areas.panels.push_back(area_over_time(results, law, extent));
+    evaluation.figures.push_back(std::move(pictures));
+  }
+  evaluation.figures.push_back(std::move(areas));
+  return evaluation;
+}
+
+// ---- axial
+
+constexpr double scanned_peaks[] = {2.5, 3.5, 5, 7, 10};  // um
+
+std::vector<Run> axial_runs(Extent extent) {
+  std::vector<Run> runs;
+  const auto finest = resolutions(extent).back();
+  for (const std::string& law : laws) {
+    runs.push_back(
+        {label(law, finest.cell), "piercing_axial" + finest.suffix + ".toml", {law_override(law)}});
+  }
+  if (extent == Extent::quick) return runs;
+  for (const std::string kinematics : {"source", "objective"}) {
+    for (const double peak : scanned_peaks) {
+      runs.push_back({fmt::format("{}-{}um", kinematics, peak),
+                      "piercing_axial_quick.toml",
+                      {fmt::format("motion.amplitude=\"{} um\"", peak),
+                       fmt::format("zona.kinematics=\"{}\"", kinematics), "output.fields=false"}});
+    }
+  }
+  return runs;
+}
+
+/// The lowest scanned peak at which points fail, and the highest at which none does.
+void bracket(const CaseResults& results, const std::string& kinematics, Evaluation& evaluation,
+             Panel& panel) {
+  double holds = 1.8, fails = HUGE_VAL;
+  Curve curve{kinematics + " kinematics", {}, {}, Style::line};
+  for (const double peak : scanned_peaks) {
+    const RunResults& run = results[fmt::format("{}-{}um", kinematics, peak)];
+    const bool failed = run.number("failed_points") > 0;
+    if (failed) fails = std::min(fails, peak);
+    if (!failed && peak < fails) holds = peak;
+    curve.x.push_back(peak);
+    curve.y.push_back(square_micrometres(run));
+  }
+  evaluation.checks.push_back(
+      told(fmt::format("axial peak at which failure begins [um], {} kinematics", kinematics), fails,
+           "none", fmt::format("nothing fails at {} um; elastodamage, cells of 9 um", holds)));
+  panel.curves.push_back(std::move(curve));
+}
+
+Evaluation evaluate_axial(const CaseResults& results, Extent extent) {
+  Evaluation evaluation;
+  const int cell = resolutions(extent).back().cell;
+  for (const std::string& law : laws) {
+    const RunResults& run = results[label(law, cell)];
+    evaluation.checks.push_back(at_most(fmt::format("failed points at 1.8 um, {}", law),
+                                        run.number("failed_points"), 0,
+                                        "the source: an axial pulse of 1.8 um pierces nothing"));
+    const ResultTable history = run.table("history.csv");
+    const auto& strain = history["largest_strain"];
+    evaluation.checks.push_back(told(fmt::format("largest strain at 1.8 um, {}", law),
+                                     *std::max_element(strain.begin(), strain.end()),
+                                     "0.05937 damages", "largest principal strain of the zona"));
+    evaluation.figures.push_back({law,
+                                  fmt::format("The axial pulse of 1.8 um, {}.", law),
+                                  {},
+                                  {{label(law, cell), {15, 30, 45, 60}}}});
+  }
+  if (extent == Extent::quick) return evaluation;
+  Panel panel{"Failed area at the end", {"axial peak [um]"}, {"failed area [um^2]"}, {}};
+  for (const std::string kinematics : {"source", "objective"}) {
+    bracket(results, kinematics, evaluation, panel);
+  }
+  evaluation.figures.push_back({"peak", "The axial peak at which failure begins.", {panel}, {}});
+  return evaluation;
+}
+
+}  // namespace
+
+Case piercing_lateral() {
+  return {"piercing_lateral",
+          "Zona piercing, lateral vibration",
+          "5.4, Tables 5.2 to 5.4, Figures 5.16 to 5.21",
+          "the source's findings: failure under a lateral vibration, its place, and what the cells "
+          "do to it",
+          lateral_runs,
+          evaluate_lateral};
+}
+
+Case piercing_axial() {
+  return {"piercing_axial",
+          "Zona piercing, axial pulse",
+          "5.4, Figures 5.22 and 5.23",
+          "the source's finding that 1.8 um pierce nothing",
+          axial_runs,
+          evaluate_axial};
+}
+
+}  // namespace zona::studies::verification
