@@ -1,7 +1,10 @@
 #include "mpm/boundary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "mpm/errors.h"
 #include "mpm/shape_functions.h"
 
 namespace zona::mpm {
@@ -33,6 +36,11 @@ void for_each_held(const BackgroundGrid& grid, const FaceConditions& faces, F f)
   }
 }
 
+Eigen::Vector3d velocity_of(const HeldNodes& held, double time) {
+  if (!held.velocity) return Eigen::Vector3d::Zero();
+  return held.velocity(time);
+}
+
 }  // namespace
 
 bool holds(FaceCondition condition, int normal_axis, int axis) {
@@ -49,6 +57,54 @@ void hold_faces(BackgroundGrid& grid, const FaceConditions& faces) {
 
 void hold_updated_faces(BackgroundGrid& grid, const FaceConditions& faces) {
   for_each_held(grid, faces, [&](int node, int axis) { grid.updated[node][axis] = 0; });
+}
+
+std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region) {
+  std::vector<int> nodes;
+  const auto& along = grid.nodes_along();
+  for (int k = 0; k < along[2]; ++k) {
+    for (int j = 0; j < along[1]; ++j) {
+      for (int i = 0; i < along[0]; ++i) {
+        if (region.contains(grid.node_position(i, j, k))) nodes.push_back(grid.node_index(i, j, k));
+      }
+    }
+  }
+  if (!nodes.empty()) return nodes;
+  const auto& low = region.low;
+  const auto& high = region.high;
+  throw ModelError(fmt::format(
+      "no node of the grid lies in [{}, {}] x [{}, {}] x [{}, {}] m: nothing would be held",
+      low.x(), high.x(), low.y(), high.y(), low.z(), high.z()));
+}
+
+void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& held, double time,
+                double dt) {
+  const Eigen::Vector3d before = velocity_of(held, time);
+  const Eigen::Vector3d velocity = velocity_of(held, time + dt);
+  const bool jumps = held.velocity && time == 0;
+  held.reaction.setZero();
+  for (int node : nodes) {
+    Lanes& state = grid.state[node];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!held.axes[axis]) continue;
+      const double free = state[4 + axis];
+      const double start = jumps ? state[1 + axis] - dt * free : before[axis];
+      const double acceleration = (velocity[axis] - start) / dt;
+      held.reaction[axis] += state[0] * (acceleration - free);
+      state[1 + axis] = velocity[axis];
+      state[4 + axis] = acceleration;
+    }
+  }
+}
+
+void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, const HeldNodes& held,
+                        double time) {
+  const Eigen::Vector3d velocity = velocity_of(held, time);
+  for (int node : nodes) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (held.axes[axis]) grid.updated[node][axis] = velocity[axis];
+    }
+  }
 }
 
 void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces) {

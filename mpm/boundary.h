@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
+
 #include "mpm/background_grid.h"
 #include "mpm/body.h"
+#include "mpm/region.h"
 
 namespace zona::mpm {
 
@@ -13,6 +16,29 @@ bool holds(FaceCondition condition, int normal_axis, int axis);
 void hold_faces(BackgroundGrid& grid, const FaceConditions& faces);
 /// The same for the velocities mapped back from the points.
 void hold_updated_faces(BackgroundGrid& grid, const FaceConditions& faces);
+
+/// Nodes that move as prescribed, in the components of `axes`.
+///
+/// A held component has the velocity V at the end of the step and the acceleration that V has, not
+/// the one that would undo what the points brought to the node: as at the faces, and with the same
+/// order of accuracy. Only the first step jumps to a V that does not start from rest. Later holds
+/// win where regions overlap, and over the faces.
+struct HeldNodes {
+  Box region;                                          ///< of the nodes' places
+  std::array<bool, 3> axes{true, true, true};          ///< components that are held
+  std::function<Eigen::Vector3d(double)> velocity{};   ///< of time [m/s]; empty: zero
+  Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  ///< force on the points [N], last step
+};
+
+/// Nodes whose places lie in the box, in ascending order. Throws ModelError if there are none.
+std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region);
+/// Velocity and acceleration of held nodes in the step from `time` to `time` + dt [s], after the
+/// momentum is advanced; sets the reaction.
+void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& held, double time,
+                double dt);
+/// The same for the velocities mapped back from the points; `time` [s] is the end of the step.
+void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, const HeldNodes& held,
+                        double time);
 
 /// Viscous tractions -rho c v (5.43)-(5.50) on the nodes of absorbing faces, normal to the face
 /// with the primary and along it with the secondary wave speed of what touches the node.

@@ -19,7 +19,11 @@ constexpr long reorder_interval = 200;
 }  // namespace
 
 Solver::Solver(Model model, double step, int threads)
-    : model_(std::move(model)), dt_(step), threads_(threads), driven_nodes_(model_.bodies.size()) {
+    : model_(std::move(model)),
+      loads_(model_.forces, model_.pressures, model_.bodies),
+      dt_(step),
+      threads_(threads),
+      driven_nodes_(model_.bodies.size()) {
   const CriticalStep critical = critical_step(model_.grid, model_.bodies);
   if (!(step > 0)) throw ModelError(fmt::format("the time step must be positive, got {} s", step));
   if (step > critical.seconds) {
@@ -41,12 +45,14 @@ Solver::Solver(Model model, double step, int threads)
       rigid->brick_impulse.resize(model_.grid.bricks().size());
     }
   }
+  for (const auto& held : model_.held) held_nodes_.push_back(nodes_in(model_.grid, held.region));
   share_bricks();
 }
 
 void Solver::step() {
   prescribe_motion();
   scatter();              // (3.30)-(3.32)
+  add_loads();            // (5.51)
   advance_momentum();     // (3.33)
   gather_and_map_back();  // (3.34)-(3.39)
   apply_essential_conditions_again();
@@ -133,6 +139,13 @@ void Solver::scatter_brick(const Material& material, const Body& body, int b) {
                 });
 }
 
+void Solver::add_loads() {
+  if (loads_.empty()) return;
+  loads_.evaluate(time());
+#pragma omp parallel num_threads(threads_)
+  for_coloured_bricks([this](int b) { loads_.add_brick(model_.bodies, b, model_.grid); });
+}
+
 void Solver::advance_momentum() {
   auto& grid = model_.grid;
   absorb_at_faces(grid, model_.faces);
@@ -152,6 +165,9 @@ void Solver::advance_momentum() {
     node[0] = mass;
   }
   hold_faces(grid, model_.faces);
+  for (std::size_t h = 0; h < held_nodes_.size(); ++h) {
+    hold_nodes(grid, held_nodes_[h], model_.held[h], time(), dt_);
+  }
   for (std::size_t b = 0; b < driven_nodes_.size(); ++b) {
     auto* rigid = std::get_if<Prescribed>(&model_.bodies[b].material);
     if (!rigid) continue;
@@ -203,6 +219,9 @@ void Solver::apply_essential_conditions_again() {
     grid.updated[n] *= mass > smallest_nodal_mass ? 1 / mass : 0.0;
   }
   hold_updated_faces(grid, model_.faces);
+  for (std::size_t h = 0; h < held_nodes_.size(); ++h) {
+    hold_updated_nodes(grid, held_nodes_[h], model_.held[h], time() + dt_);
+  }
   for (std::size_t b = 0; b < driven_nodes_.size(); ++b) {
     if (const auto* rigid = model_.bodies[b].prescribed()) {
       override_updated_velocity(grid, driven_nodes_[b], rigid->next.velocity);
