@@ -11,31 +11,6 @@ namespace zona::mpm {
 
 namespace {
 
-/// Calls f(node) for the nodes of a face.
-template <class F>
-void for_each_node(const BackgroundGrid& grid, int face, F f) {
-  const auto& n = grid.nodes_along();
-  const int normal = face / 2;
-  const int u = (normal + 1) % 3;
-  const int w = (normal + 2) % 3;
-  std::array<int, 3> at{};
-  at[normal] = face % 2 == 0 ? 0 : n[normal] - 1;
-  for (at[u] = 0; at[u] < n[u]; ++at[u]) {
-    for (at[w] = 0; at[w] < n[w]; ++at[w]) f(grid.node_index(at[0], at[1], at[2]));
-  }
-}
-
-/// Calls f(node, axis) for every velocity component that the faces hold.
-template <class F>
-void for_each_held(const BackgroundGrid& grid, const FaceConditions& faces, F f) {
-  for (int face = 0; face < 6; ++face) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!holds(faces[face], face / 2, axis)) continue;
-      for_each_node(grid, face, [&](int node) { f(node, axis); });
-    }
-  }
-}
-
 Eigen::Vector3d velocity_of(const HeldNodes& held, double time) {
   if (!held.velocity) return Eigen::Vector3d::Zero();
   return held.velocity(time);
@@ -78,7 +53,7 @@ std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region) {
 }
 
 void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& held, double time,
-                double dt) {
+                double dt, double pic) {
   const Eigen::Vector3d before = velocity_of(held, time);
   const Eigen::Vector3d velocity = velocity_of(held, time + dt);
   const bool jumps = held.velocity && time == 0;
@@ -90,7 +65,8 @@ void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& 
       const double free = state[4 + axis];
       const double start = jumps ? state[1 + axis] - dt * free : before[axis];
       const double acceleration = (velocity[axis] - start) / dt;
-      held.reaction[axis] += state[0] * (acceleration - free);
+      const double jump = velocity[axis] - state[1 + axis];
+      held.reaction[axis] += state[0] * ((1 - pic) * (acceleration - free) + pic * jump / dt);
       state[1 + axis] = velocity[axis];
       state[4 + axis] = acceleration;
     }

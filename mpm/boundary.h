@@ -12,6 +12,31 @@ namespace zona::mpm {
 /// one for rollers, all for fixed faces.
 bool holds(FaceCondition condition, int normal_axis, int axis);
 
+/// Calls f(node) for the nodes of a face.
+template <class F>
+void for_each_node(const BackgroundGrid& grid, int face, F f) {
+  const auto& n = grid.nodes_along();
+  const int normal = face / 2;
+  const int u = (normal + 1) % 3;
+  const int w = (normal + 2) % 3;
+  std::array<int, 3> at{};
+  at[normal] = face % 2 == 0 ? 0 : n[normal] - 1;
+  for (at[u] = 0; at[u] < n[u]; ++at[u]) {
+    for (at[w] = 0; at[w] < n[w]; ++at[w]) f(grid.node_index(at[0], at[1], at[2]));
+  }
+}
+
+/// Calls f(node, axis) for every velocity component that the faces hold.
+template <class F>
+void for_each_held(const BackgroundGrid& grid, const FaceConditions& faces, F f) {
+  for (int face = 0; face < 6; ++face) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!holds(faces[face], face / 2, axis)) continue;
+      for_each_node(grid, face, [&](int node) { f(node, axis); });
+    }
+  }
+}
+
 /// Velocity and acceleration of the grid at the faces, after the momentum is advanced.
 void hold_faces(BackgroundGrid& grid, const FaceConditions& faces);
 /// The same for the velocities mapped back from the points.
@@ -33,9 +58,10 @@ struct HeldNodes {
 /// Nodes whose places lie in the box, in ascending order. Throws ModelError if there are none.
 std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region);
 /// Velocity and acceleration of held nodes in the step from `time` to `time` + dt [s], after the
-/// momentum is advanced; sets the reaction.
+/// momentum is advanced; sets the reaction. `pic` is the fraction of the nodes' velocity, not their
+/// acceleration, that reaches the points.
 void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& held, double time,
-                double dt);
+                double dt, double pic);
 /// The same for the velocities mapped back from the points; `time` [s] is the end of the step.
 void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, const HeldNodes& held,
                         double time);

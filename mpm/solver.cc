@@ -16,11 +16,19 @@ namespace {
 /// Steps between two re-orderings of the storage; points cross a cell in thousands of steps.
 constexpr long reorder_interval = 200;
 
+std::vector<std::vector<int>> nodes_held(const Model& model) {
+  std::vector<std::vector<int>> nodes;
+  for (const auto& held : model.held) nodes.push_back(nodes_in(model.grid, held.region));
+  return nodes;
+}
+
 }  // namespace
 
 Solver::Solver(Model model, double step, int threads)
     : model_(std::move(model)),
       loads_(model_.forces, model_.pressures, model_.bodies),
+      held_nodes_(nodes_held(model_)),
+      damping_(model_.numerics.damping, model_.grid, model_.faces, model_.held, held_nodes_),
       dt_(step),
       threads_(threads),
       driven_nodes_(model_.bodies.size()) {
@@ -31,6 +39,8 @@ Solver::Solver(Model model, double step, int threads)
         fmt::format("a step of {:.4g} s is above the critical step of {:.4g} s: in '{}', {}", step,
                     critical.seconds, critical.body, critical.reason));
   }
+  if (const double pic = model_.numerics.pic; !(pic >= 0 && pic <= 1))
+    throw ModelError(fmt::format("the fraction of PIC must lie in [0, 1], got {}", pic));
   if (threads < 1) throw ModelError(fmt::format("at least one thread is needed, got {}", threads));
   for (auto& body : model_.bodies) {
     const int outside = body.cells.build(model_.grid, body.points.position);
@@ -45,7 +55,6 @@ Solver::Solver(Model model, double step, int threads)
       rigid->brick_impulse.resize(model_.grid.bricks().size());
     }
   }
-  for (const auto& held : model_.held) held_nodes_.push_back(nodes_in(model_.grid, held.region));
   share_bricks();
 }
 
@@ -166,13 +175,14 @@ void Solver::advance_momentum() {
   }
   hold_faces(grid, model_.faces);
   for (std::size_t h = 0; h < held_nodes_.size(); ++h) {
-    hold_nodes(grid, held_nodes_[h], model_.held[h], time(), dt_);
+    hold_nodes(grid, held_nodes_[h], model_.held[h], time(), dt_, model_.numerics.pic);
   }
   for (std::size_t b = 0; b < driven_nodes_.size(); ++b) {
     auto* rigid = std::get_if<Prescribed>(&model_.bodies[b].material);
     if (!rigid) continue;
     rigid->reaction = override_velocity(grid, driven_nodes_[b], rigid->next.velocity, dt_) / dt_;
   }
+  damping_.apply(grid, model_.bodies, dt_, threads_);
 }
 
 template <class Material>
@@ -186,7 +196,9 @@ void Solver::gather_brick(Material& material, Body& body, int b) {
   };
   if constexpr (std::is_same_v<Material, Prescribed>) {
     material.brick_impulse[b].setZero();
-    gather(PrescribedMotion{material.brick_impulse[b]});
+    gather(PrescribedMotion{{model_.numerics.pic}, material.brick_impulse[b]});
+  } else if (model_.numerics.pic > 0) {
+    gather(BlendedMotion{model_.numerics.pic});
   } else {
     gather(FreeMotion{});
   }

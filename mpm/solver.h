@@ -5,6 +5,7 @@
 
 #include "mpm/boundary.h"
 #include "mpm/critical_step.h"
+#include "mpm/damping.h"
 #include "mpm/load.h"
 
 namespace zona::mpm {
@@ -77,13 +78,14 @@ class Solver {
 
   Model model_;
   Loads loads_;
+  std::vector<std::vector<int>> held_nodes_;  ///< of each entry of Model::held
+  LocalDamping damping_;
   double dt_;
   int threads_;
   long steps_ = 0;
   /// For each colour, where each thread's share of its bricks begins.
   std::array<std::vector<int>, 8> share_begin_;
   std::vector<std::vector<int>> driven_nodes_;  ///< per body, of those that drive nodes
-  std::vector<std::vector<int>> held_nodes_;    ///< of each entry of Model::held
   struct BadPoint {
     int body;
     int point;
