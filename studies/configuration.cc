@@ -103,9 +103,16 @@ std::vector<Table> Configuration::items(const std::string& list) const {
   return result;
 }
 
-std::size_t Configuration::item_count(const std::string& list) const {
-  const auto found = item_names_.find(list);
-  return found == item_names_.end() ? 0 : found->second.size();
+const std::vector<ItemHeading>& Configuration::headings(const std::string& list) const {
+  static const std::vector<ItemHeading> none;
+  const auto found = headings_.find(list);
+  return found == headings_.end() ? none : found->second;
+}
+
+std::vector<std::string> Configuration::item_names(const std::string& list) const {
+  std::vector<std::string> names;
+  for (const ItemHeading& heading : headings(list)) names.push_back(heading.name);
+  return names;
 }
 
 std::vector<std::string> Configuration::tables() const {
@@ -132,12 +139,10 @@ std::vector<std::string> Configuration::keys_of(const std::string& table) const 
 
 std::string Configuration::shown_key(const std::string& key) const {
   const auto item = item_key(key);
-  const auto found = item ? item_names_.find(item->list) : item_names_.end();
-  if (found == item_names_.end() || !item->number()) return key;
-  const auto& names = found->second;
-  const std::size_t i = *item->number();
-  if (i >= names.size() || names[i].empty()) return key;
-  return item->list + "." + names[i] + (item->rest.empty() ? "" : "." + item->rest);
+  if (!item || !item->number() || *item->number() >= item_count(item->list)) return key;
+  const std::string& name = headings(item->list)[*item->number()].name;
+  if (name.empty() || name == "auto") return key;
+  return item->list + "." + name + (item->rest.empty() ? "" : "." + item->rest);
 }
 
 bool Configuration::is_auto(const std::string& key) const {
@@ -152,14 +157,22 @@ int Configuration::line_of(const std::string& key) const {
   return setting(key).line;
 }
 
-std::string Configuration::where(const std::string& key) const {
+Problem Configuration::problem(const std::string& key, const std::string& message) const {
+  const std::string shown = shown_key(key);
   const auto found = settings_.find(key);
-  const bool known = found != settings_.end() && !found->second.where.empty();
-  return known ? found->second.where : file_.string();
+  if (found != settings_.end() && !found->second.where.empty()) {
+    return {found->second.where, shown, message, found->second.line};
+  }
+  const auto item = item_key(key);
+  if (item && item->number() && *item->number() < item_count(item->list)) {
+    const ItemHeading& heading = headings(item->list)[*item->number()];
+    return {heading.where, shown, message, heading.line};
+  }
+  return {file_.string(), shown, message, 0};
 }
 
-void Configuration::set_items(const std::string& list, std::vector<std::string> names) {
-  item_names_[list] = std::move(names);
+void Configuration::set_items(const std::string& list, std::vector<ItemHeading> headings) {
+  headings_[list] = std::move(headings);
 }
 
 std::string Table::name() const {

@@ -23,6 +23,13 @@ struct Setting {
   int line = 0;       ///< 0 for defaults and overrides
 };
 
+/// Where a table of a list begins, and what it is called.
+struct ItemHeading {
+  std::string name;   ///< what its key `name` says; empty when that is no text
+  std::string where;  ///< "file:line" or "--set"
+  int line = 0;
+};
+
 /// A study with every parameter resolved and valid. Values in SI.
 ///
 /// Asking for a key that the study kind does not declare, or by the wrong type, is a programming
@@ -59,7 +66,9 @@ class Configuration {
   Table table(const std::string& name) const;
   /// The tables of a list, in the order of the file.
   std::vector<Table> items(const std::string& list) const;
-  std::size_t item_count(const std::string& list) const;
+  std::size_t item_count(const std::string& list) const { return headings(list).size(); }
+  const std::vector<ItemHeading>& headings(const std::string& list) const;
+  std::vector<std::string> item_names(const std::string& list) const;
   /// All tables in the order of the schema: "grid", "body.0", "body.1", ...
   std::vector<std::string> tables() const;
   /// Keys of a table that have a value, in the order of the schema.
@@ -70,14 +79,14 @@ class Configuration {
   bool is_auto(const std::string& key) const;
   bool is_default(const std::string& key) const;
   int line_of(const std::string& key) const;  ///< 0 for defaults and overrides
-  /// "file:line", "--set", or the file for a default.
-  std::string where(const std::string& key) const;
+  /// The problem that a key has, at its place: that of its value, of its table's heading in a list
+  /// where it has none, or the file.
+  Problem problem(const std::string& key, const std::string& message) const;
   const Setting& setting(const std::string& key) const;
 
   void set(const std::string& key, Setting setting);
   void unset(const std::string& key) { settings_.erase(key); }
-  /// Declares how many items a list has, and what the file calls them (empty: nothing usable).
-  void set_items(const std::string& list, std::vector<std::string> names);
+  void set_items(const std::string& list, std::vector<ItemHeading> headings);
 
  private:
   const Setting& of_kind(const std::string& key, Parameter::Kind kind, bool is_list) const;
@@ -85,7 +94,7 @@ class Configuration {
   const Schema* schema_;
   std::filesystem::path file_;
   std::map<std::string, Setting> settings_;
-  std::map<std::string, std::vector<std::string>> item_names_;
+  std::map<std::string, std::vector<ItemHeading>> headings_;
 };
 
 /// One table of a study, e.g. [grid] or the first [[body]], whose values are asked for by the last
@@ -98,6 +107,9 @@ class Table {
   std::string key(const std::string& leaf) const { return name_ + "." + leaf; }
   /// The item's name; its number where it is "auto".
   std::string name() const;
+  Problem problem(const std::string& leaf, const std::string& message) const {
+    return study_->problem(key(leaf), message);
+  }
 
   bool applies(const std::string& leaf) const { return study_->applies(key(leaf)); }
   bool is_auto(const std::string& leaf) const { return study_->is_auto(key(leaf)); }

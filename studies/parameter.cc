@@ -97,6 +97,11 @@ Parameter& Parameter::or_auto() {
   return *this;
 }
 
+Parameter& Parameter::auto_by_default() {
+  default_toml = quoted_toml("auto");
+  return or_auto();
+}
+
 Parameter& Parameter::or_named(std::vector<NamedValue> named_values) {
   names = std::move(named_values);
   return *this;

@@ -61,6 +61,8 @@ struct Parameter {
   Parameter& in(const std::string& interval);
   Parameter& one_of(std::vector<long> values);
   Parameter& or_auto();
+  /// or_auto, and that is the default.
+  Parameter& auto_by_default();
   Parameter& or_named(std::vector<NamedValue> named_values);
   Parameter& exactly(std::size_t count);
   /// One value instead of a list of `exactly` so many stands for each of them.

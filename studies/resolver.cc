@@ -12,23 +12,12 @@
 
 namespace zona::studies {
 
-namespace {
-
-std::vector<std::string> names_of(const std::vector<SourceItem>& items) {
-  std::vector<std::string> names;
-  for (const SourceItem& item : items) names.push_back(item.name);
-  return names;
-}
-
-}  // namespace
-
 Resolver::Resolver(const Schema& schema, const std::filesystem::path& file,
                    const StudySource& source)
     : configuration_(schema, file), problems_(source.problems) {
   for (const Section& section : schema.sections()) {
     if (!section.is_list) continue;
-    items_[section.name] = items_of(source.entries, section.name);
-    configuration_.set_items(section.name, names_of(items_[section.name]));
+    configuration_.set_items(section.name, headings_of(source.entries, section.name));
   }
 }
 
@@ -69,14 +58,16 @@ void Resolver::report_unknown(const SourcedEntry& source,
   const auto item = item_key(key);
   const std::string table = unknown_table(schema, key);
   if (!table.empty() && !reported_tables_.insert(table).second) return;
-  const auto known = item ? items_.find(item->list) : items_.end();
-  std::string message;
+  const Section* section = item ? schema.find_section(item->list) : nullptr;
+  const bool in_list = section != nullptr && section->is_list;
   const bool is_item =
-      known != items_.end() && item->number() && *item->number() < known->second.size();
-  if (source.line == 0 && known != items_.end() && !is_item) {
-    const std::string nearest = nearest_name(item->item, names_of(known->second));
+      in_list && item->number() && *item->number() < configuration_.item_count(item->list);
+  std::string message;
+  if (source.line == 0 && in_list && !is_item) {
+    const std::vector<std::string> names = configuration_.item_names(item->list);
+    const std::string nearest = nearest_name(item->item, names);
     message = fmt::format("there is no {} \"{}\" among the {} of the file; {}", item->list,
-                          printable(item->item), known->second.size(),
+                          printable(item->item), names.size(),
                           nearest.empty() ? "use its name, or its number from 0"
                                           : "did you mean " + item->list + "." + nearest + "?");
   } else {
@@ -104,7 +95,7 @@ Resolver::Applies Resolver::applies(const Parameter& parameter, const std::strin
 void Resolver::complete() {
   const Schema& schema = configuration_.schema();
   for (const Section& section : schema.sections()) {
-    if (section.is_list && items_[section.name].size() < section.least) {
+    if (section.is_list && configuration_.item_count(section.name) < section.least) {
       complain(section.name, fmt::format("is missing; needs at least {}; write [[{}]] and its keys "
                                          "below",
                                          section.least, section.name));
@@ -138,17 +129,7 @@ void Resolver::complete(const Parameter& parameter, const std::string& table) {
 }
 
 void Resolver::check_names() {
-  for (const auto& [list, items] : items_) {
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      const auto same = [&](const SourceItem& other) { return other.name == items[i].name; };
-      const std::string key = numbered_key(list, i, "name");
-      const bool usable = configuration_.applies(key) && !configuration_.is_auto(key);
-      const auto end = items.begin() + static_cast<std::ptrdiff_t>(i);
-      if (!usable || std::none_of(items.begin(), end, same)) continue;
-      complain(key, fmt::format("there is a {} \"{}\" already; choose another name", list,
-                                items[i].name));
-    }
-  }
+  for (const Section& section : configuration_.schema().sections()) check_distinct(section.name);
   for (const std::string& table : configuration_.tables()) {
     for (const std::string& key : configuration_.keys_of(table)) {
       const Parameter& parameter = *configuration_.schema().find(key);
@@ -157,9 +138,20 @@ void Resolver::check_names() {
   }
 }
 
+void Resolver::check_distinct(const std::string& list) {
+  const std::vector<std::string> names = configuration_.item_names(list);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string key = numbered_key(list, i, "name");
+    const bool usable = configuration_.applies(key) && !configuration_.is_auto(key);
+    const auto here = names.begin() + static_cast<std::ptrdiff_t>(i);
+    if (!usable || std::find(names.begin(), here, names[i]) == here) continue;
+    complain(key, fmt::format("there is a {} \"{}\" already; choose another name", list, names[i]));
+  }
+}
+
 void Resolver::check_reference(const std::string& key, const Parameter& parameter) {
   if (configuration_.is_auto(key)) return;
-  const std::vector<std::string> names = names_of(items_[parameter.refers_to]);
+  const std::vector<std::string> names = configuration_.item_names(parameter.refers_to);
   for (const std::string& name : configuration_.texts(key)) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string nearest = nearest_name(name, names);
@@ -208,18 +200,7 @@ void Resolver::cross_check() {
 }
 
 void Resolver::complain(const std::string& key, const std::string& message) {
-  problems_.push_back(problem_at(key, message));
-}
-
-Problem Resolver::problem_at(const std::string& key, const std::string& message) const {
-  const std::string shown = configuration_.shown_key(key);
-  const bool has_value = configuration_.applies(key) && !configuration_.is_default(key);
-  if (has_value) return {configuration_.where(key), shown, message, configuration_.line_of(key)};
-  if (const auto item = item_key(key); item && item->number() && items_.count(item->list) > 0) {
-    const SourceItem& heading = items_.at(item->list)[*item->number()];
-    return {heading.where, shown, message, heading.line};
-  }
-  return {configuration_.file().string(), shown, message, 0};
+  problems_.push_back(configuration_.problem(key, message));
 }
 
 Configuration Resolver::result() {

@@ -33,13 +33,12 @@ class Resolver {
   void report_unknown(const SourcedEntry& source, const std::vector<const Schema*>& schemas);
   Applies applies(const Parameter& parameter, const std::string& table) const;
   void complete(const Parameter& parameter, const std::string& table);
+  void check_distinct(const std::string& list);
   void check_reference(const std::string& key, const Parameter& parameter);
   void complain(const std::string& key, const std::string& message);
-  Problem problem_at(const std::string& key, const std::string& message) const;
 
   Configuration configuration_;
   std::vector<Problem> problems_;
-  std::map<std::string, std::vector<SourceItem>> items_;
   std::set<std::string> given_;
   std::set<std::string> reported_tables_;
 };

@@ -6,23 +6,23 @@
 
 namespace zona::studies {
 
-std::vector<SourceItem> items_of(const std::vector<SourcedEntry>& entries,
-                                 const std::string& list) {
-  std::vector<SourceItem> items;
+std::vector<ItemHeading> headings_of(const std::vector<SourcedEntry>& entries,
+                                     const std::string& list) {
+  std::vector<ItemHeading> headings;
   for (const SourcedEntry& source : entries) {
     const TomlEntry& entry = source.entry;
     if (entry.value.type == TomlValue::Type::table &&
-        entry.key == numbered_key(list, items.size(), "")) {
-      items.push_back({"", source.where, source.line});
+        entry.key == numbered_key(list, headings.size(), "")) {
+      headings.push_back({"", source.where, source.line});
     }
   }
   for (const SourcedEntry& source : entries) {
     const auto key = item_key(source.entry.key);
     if (!key || key->list != list || key->rest != "name") continue;
     const auto number = key->number();
-    if (number && *number < items.size()) items[*number].name = source.entry.value.text;
+    if (number && *number < headings.size()) headings[*number].name = source.entry.value.text;
   }
-  return items;
+  return headings;
 }
 
 std::string with_item_numbers(const std::vector<SourcedEntry>& entries, const std::string& key) {
