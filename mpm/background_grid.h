@@ -66,6 +66,10 @@ class BackgroundGrid {
   int node_index(int i, int j, int k) const {
     return (k * nodes_along_[1] + j) * nodes_along_[0] + i;
   }
+  /// Place of a node [m].
+  Eigen::Vector3d node_position(int i, int j, int k) const {
+    return origin_ + cell_size_.cwiseProduct(Eigen::Vector3d(i, j, k));
+  }
   /// Offsets of a cell's eight nodes from its lowest one.
   const std::array<int, 8>& node_offsets() const { return node_offsets_; }
 

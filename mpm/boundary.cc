@@ -1,36 +1,19 @@
 #include "mpm/boundary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "mpm/errors.h"
 #include "mpm/shape_functions.h"
 
 namespace zona::mpm {
 
 namespace {
 
-/// Calls f(node) for the nodes of a face.
-template <class F>
-void for_each_node(const BackgroundGrid& grid, int face, F f) {
-  const auto& n = grid.nodes_along();
-  const int normal = face / 2;
-  const int u = (normal + 1) % 3;
-  const int w = (normal + 2) % 3;
-  std::array<int, 3> at{};
-  at[normal] = face % 2 == 0 ? 0 : n[normal] - 1;
-  for (at[u] = 0; at[u] < n[u]; ++at[u]) {
-    for (at[w] = 0; at[w] < n[w]; ++at[w]) f(grid.node_index(at[0], at[1], at[2]));
-  }
-}
-
-/// Calls f(node, axis) for every velocity component that the faces hold.
-template <class F>
-void for_each_held(const BackgroundGrid& grid, const FaceConditions& faces, F f) {
-  for (int face = 0; face < 6; ++face) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!holds(faces[face], face / 2, axis)) continue;
-      for_each_node(grid, face, [&](int node) { f(node, axis); });
-    }
-  }
+Eigen::Vector3d velocity_of(const HeldNodes& held, double time) {
+  if (!held.velocity) return Eigen::Vector3d::Zero();
+  return held.velocity(time);
 }
 
 }  // namespace
@@ -49,6 +32,55 @@ void hold_faces(BackgroundGrid& grid, const FaceConditions& faces) {
 
 void hold_updated_faces(BackgroundGrid& grid, const FaceConditions& faces) {
   for_each_held(grid, faces, [&](int node, int axis) { grid.updated[node][axis] = 0; });
+}
+
+std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region) {
+  std::vector<int> nodes;
+  const auto& along = grid.nodes_along();
+  for (int k = 0; k < along[2]; ++k) {
+    for (int j = 0; j < along[1]; ++j) {
+      for (int i = 0; i < along[0]; ++i) {
+        if (region.contains(grid.node_position(i, j, k))) nodes.push_back(grid.node_index(i, j, k));
+      }
+    }
+  }
+  if (!nodes.empty()) return nodes;
+  const auto& low = region.low;
+  const auto& high = region.high;
+  throw ModelError(fmt::format(
+      "no node of the grid lies in [{}, {}] x [{}, {}] x [{}, {}] m: nothing would be held",
+      low.x(), high.x(), low.y(), high.y(), low.z(), high.z()));
+}
+
+void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& held, double time,
+                double dt, double pic) {
+  const Eigen::Vector3d before = velocity_of(held, time);
+  const Eigen::Vector3d velocity = velocity_of(held, time + dt);
+  const bool jumps = held.velocity && time == 0;
+  held.reaction.setZero();
+  for (int node : nodes) {
+    Lanes& state = grid.state[node];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!held.axes[axis]) continue;
+      const double free = state[4 + axis];
+      const double start = jumps ? state[1 + axis] - dt * free : before[axis];
+      const double acceleration = (velocity[axis] - start) / dt;
+      const double jump = velocity[axis] - state[1 + axis];
+      held.reaction[axis] += state[0] * ((1 - pic) * (acceleration - free) + pic * jump / dt);
+      state[1 + axis] = velocity[axis];
+      state[4 + axis] = acceleration;
+    }
+  }
+}
+
+void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, const HeldNodes& held,
+                        double time) {
+  const Eigen::Vector3d velocity = velocity_of(held, time);
+  for (int node : nodes) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (held.axes[axis]) grid.updated[node][axis] = velocity[axis];
+    }
+  }
 }
 
 void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces) {

@@ -39,9 +39,7 @@ double stored_energy(const Prescribed&, const MaterialPoints&, int) {
 }  // namespace
 
 BodyTotals totals(const Body& body) {
-  std::vector<int> in_order(body.points.id.size());
-  for (std::size_t p = 0; p < in_order.size(); ++p)
-    in_order[body.points.id[p]] = static_cast<int>(p);
+  const std::vector<int> in_order = body.points.storage_by_id();
   BodyTotals sum;
   std::visit(
       [&](const auto& material) {
@@ -55,6 +53,29 @@ BodyTotals totals(const Body& body) {
         }
       },
       body.material);
+  return sum;
+}
+
+Eigen::Vector3d first_moment(const Body& body) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int p : body.points.storage_by_id()) {
+    sum += body.points.mass[p] * body.points.position_of(p);
+  }
+  return sum;
+}
+
+double specific_energy(const Body& body, int p) {
+  if (const auto* fluid = std::get_if<Fluid>(&body.material)) return fluid->internal_energy[p];
+  return std::visit(
+      [&](const auto& material) {
+        return stored_energy(material, body.points, p) / body.points.mass[p];
+      },
+      body.material);
+}
+
+BodyTotals totals(const std::vector<Body>& bodies) {
+  BodyTotals sum;
+  for (const Body& body : bodies) sum += totals(body);
   return sum;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "mpm/body.h"
 
 namespace zona::mpm {
@@ -12,9 +14,25 @@ struct BodyTotals {
   double kinetic_energy = 0;                           ///< [J]
   double stored_energy =
       0;  ///< internal energy gained by a fluid, elastic energy of a solid or membrane [J]
+
+  BodyTotals& operator+=(const BodyTotals& other) {
+    mass += other.mass;
+    momentum += other.momentum;
+    kinetic_energy += other.kinetic_energy;
+    stored_energy += other.stored_energy;
+    return *this;
+  }
 };
 
 BodyTotals totals(const Body& body);
+BodyTotals totals(const std::vector<Body>& bodies);
+
+/// Sum of mass times position [kg m], in the order of ids.
+Eigen::Vector3d first_moment(const Body& body);
+
+/// Energy per mass [J/kg] of the point stored at `p`: internal of a fluid, elastic of a solid or
+/// membrane, none of a body that moves as prescribed.
+double specific_energy(const Body& body, int p);
 
 /// Smallest and largest pressure of a fluid averaged over cells, by volume [Pa]. Pressure at single
 /// points is noisy: linear shape functions do not see some of its patterns.

@@ -51,22 +51,41 @@ struct FreeMotion {
   }
 };
 
+/// FreeMotion with a fraction of PIC in the velocity: that of the grid at k+1 takes the place of
+/// (3.37). Momentum is the same, motion that the grid does not see dies out, and so does rotation
+/// within a cell.
+struct BlendedMotion {
+  double pic;
+
+  template <class Material>
+  void operator()(Material& material, MaterialPoints& points, const PointGroup& group,
+                  const CellField& field, const std::array<Lanes, 3>& natural, double dt,
+                  std::array<Lanes, 3>& velocity, std::array<Lanes, 3>& position) const {
+    FreeMotion{}(material, points, group, field, natural, dt, velocity, position);
+    for (int axis = 0; axis < 3; ++axis) {
+      velocity[axis] += pic * (field.velocity(axis, natural) - velocity[axis]);
+    }
+  }
+};
+
 /// The prescribed motion of a rigid body; its points' momentum that has to be supplied to keep it
 /// is added to `impulse` [N s].
 struct PrescribedMotion {
+  BlendedMotion unhindered;
   Eigen::Vector3d& impulse;
 
   void operator()(const Prescribed& material, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
                   std::array<Lanes, 3>& velocity, std::array<Lanes, 3>& position) const {
+    unhindered(material, points, group, field, natural, dt, velocity, position);
     const Lanes mass = group.load(points.mass);
     for (int axis = 0; axis < 3; ++axis) {
-      const Lanes free = group.load(points.velocity[axis]) + dt * field.acceleration(axis, natural);
-      velocity[axis] = broadcast(material.next.velocity[axis]);
+      const Lanes prescribed = broadcast(material.next.velocity[axis]);
+      const Lanes supplied = mass * (prescribed - velocity[axis]);
+      for (int l = 0; l < group.count(); ++l) impulse[axis] += supplied[l];
+      velocity[axis] = prescribed;
       position[axis] =
           group.load(material.initial_position[axis]) + material.next.displacement[axis];
-      const Lanes supplied = mass * (velocity[axis] - free);
-      for (int l = 0; l < group.count(); ++l) impulse[axis] += supplied[l];
     }
   }
 };

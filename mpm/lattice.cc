@@ -153,6 +153,37 @@ TriangulatedSurface sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& 
   return s;
 }
 
+TriangulatedSurface disc(const Eigen::Vector3d& center, int axis, double radius, int rings) {
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  TriangulatedSurface s;
+  s.places.push_back(center);
+  const auto point = [](int ring, int number) {
+    return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + number % (6 * ring);
+  };
+  for (int ring = 1; ring <= rings; ++ring) {
+    const double distance = radius * ring / rings;
+    for (int i = 0; i < 6 * ring; ++i) {
+      const double angle = M_PI * i / (3 * ring);
+      Eigen::Vector3d place = center;
+      place[u] += distance * std::cos(angle);
+      place[v] += distance * std::sin(angle);
+      s.places.push_back(place);
+    }
+    for (int sector = 0; sector < 6; ++sector) {
+      for (int i = 0; i < ring; ++i) {
+        const int outer = sector * ring + i;
+        const int inner = sector * (ring - 1) + i;
+        s.triangles.push_back({point(ring - 1, inner), point(ring, outer), point(ring, outer + 1)});
+        if (i + 1 == ring) continue;
+        s.triangles.push_back(
+            {point(ring - 1, inner), point(ring, outer + 1), point(ring - 1, inner + 1)});
+      }
+    }
+  }
+  return s;
+}
+
 TriangulatedSurface in_walking_order(const TriangulatedSurface& surface,
                                      const BackgroundGrid& grid) {
   const int count = static_cast<int>(surface.places.size());

@@ -55,6 +55,10 @@ TriangulatedSurface icosphere(const Eigen::Vector3d& center, double radius, int 
 TriangulatedSurface sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& edge_u,
                           const Eigen::Vector3d& edge_v, int count_u, int count_v);
 
+/// A flat disc across an axis (0, 1 or 2), its normal along it: `rings` rings of 6, 12, 18, ...
+/// points around the centre, evenly spaced.
+TriangulatedSurface disc(const Eigen::Vector3d& center, int axis, double radius, int rings);
+
 /// The same surface with its points numbered brick by brick and cell by cell of the grid, and its
 /// triangles by their lowest point: what lies side by side in space lies so in memory.
 TriangulatedSurface in_walking_order(const TriangulatedSurface& surface,

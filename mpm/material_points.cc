@@ -4,6 +4,12 @@
 
 namespace zona::mpm {
 
+std::vector<int> MaterialPoints::storage_by_id() const {
+  std::vector<int> stored(id.size());
+  for (int p = 0; p < size(); ++p) stored[id[p]] = p;
+  return stored;
+}
+
 MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places,
                            const std::vector<double>& mass, const Eigen::Vector3d& velocity) {
   MaterialPoints points;

@@ -29,6 +29,8 @@ struct MaterialPoints {
   Eigen::Vector3d velocity_of(int p) const {
     return {velocity[0][p], velocity[1][p], velocity[2][p]};
   }
+  /// Where each point is stored, by id.
+  std::vector<int> storage_by_id() const;
   template <class F>
   void for_each_field(F f) {
     for (auto* group : {&position, &next_position, &velocity}) {

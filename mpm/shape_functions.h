@@ -70,6 +70,11 @@ struct Cell {
     return {(position[0] - corner[0]) * inverse[0], (position[1] - corner[1]) * inverse[1],
             (position[2] - corner[2]) * inverse[2]};
   }
+  /// The same of one place [m].
+  std::array<double, 3> natural(const Eigen::Vector3d& place) const {
+    return {(place[0] - corner[0]) * inverse[0], (place[1] - corner[1]) * inverse[1],
+            (place[2] - corner[2]) * inverse[2]};
+  }
 };
 
 inline Cell make_cell(const BackgroundGrid& grid, const Brick& brick, int cell_in_brick) {

@@ -16,10 +16,22 @@ namespace {
 /// Steps between two re-orderings of the storage; points cross a cell in thousands of steps.
 constexpr long reorder_interval = 200;
 
+std::vector<std::vector<int>> nodes_held(const Model& model) {
+  std::vector<std::vector<int>> nodes;
+  for (const auto& held : model.held) nodes.push_back(nodes_in(model.grid, held.region));
+  return nodes;
+}
+
 }  // namespace
 
 Solver::Solver(Model model, double step, int threads)
-    : model_(std::move(model)), dt_(step), threads_(threads), driven_nodes_(model_.bodies.size()) {
+    : model_(std::move(model)),
+      loads_(model_.forces, model_.pressures, model_.bodies),
+      held_nodes_(nodes_held(model_)),
+      damping_(model_.numerics.damping, model_.grid, model_.faces, model_.held, held_nodes_),
+      dt_(step),
+      threads_(threads),
+      driven_nodes_(model_.bodies.size()) {
   const CriticalStep critical = critical_step(model_.grid, model_.bodies);
   if (!(step > 0)) throw ModelError(fmt::format("the time step must be positive, got {} s", step));
   if (step > critical.seconds) {
@@ -27,6 +39,8 @@ Solver::Solver(Model model, double step, int threads)
         fmt::format("a step of {:.4g} s is above the critical step of {:.4g} s: in '{}', {}", step,
                     critical.seconds, critical.body, critical.reason));
   }
+  if (const double pic = model_.numerics.pic; !(pic >= 0 && pic <= 1))
+    throw ModelError(fmt::format("the fraction of PIC must lie in [0, 1], got {}", pic));
   if (threads < 1) throw ModelError(fmt::format("at least one thread is needed, got {}", threads));
   for (auto& body : model_.bodies) {
     const int outside = body.cells.build(model_.grid, body.points.position);
@@ -47,6 +61,7 @@ Solver::Solver(Model model, double step, int threads)
 void Solver::step() {
   prescribe_motion();
   scatter();              // (3.30)-(3.32)
+  add_loads();            // (5.51)
   advance_momentum();     // (3.33)
   gather_and_map_back();  // (3.34)-(3.39)
   apply_essential_conditions_again();
@@ -133,6 +148,13 @@ void Solver::scatter_brick(const Material& material, const Body& body, int b) {
                 });
 }
 
+void Solver::add_loads() {
+  if (loads_.empty()) return;
+  loads_.evaluate(time());
+#pragma omp parallel num_threads(threads_)
+  for_coloured_bricks([this](int b) { loads_.add_brick(model_.bodies, b, model_.grid); });
+}
+
 void Solver::advance_momentum() {
   auto& grid = model_.grid;
   absorb_at_faces(grid, model_.faces);
@@ -152,11 +174,15 @@ void Solver::advance_momentum() {
     node[0] = mass;
   }
   hold_faces(grid, model_.faces);
+  for (std::size_t h = 0; h < held_nodes_.size(); ++h) {
+    hold_nodes(grid, held_nodes_[h], model_.held[h], time(), dt_, model_.numerics.pic);
+  }
   for (std::size_t b = 0; b < driven_nodes_.size(); ++b) {
     auto* rigid = std::get_if<Prescribed>(&model_.bodies[b].material);
     if (!rigid) continue;
     rigid->reaction = override_velocity(grid, driven_nodes_[b], rigid->next.velocity, dt_) / dt_;
   }
+  damping_.apply(grid, model_.bodies, dt_, threads_);
 }
 
 template <class Material>
@@ -170,7 +196,9 @@ void Solver::gather_brick(Material& material, Body& body, int b) {
   };
   if constexpr (std::is_same_v<Material, Prescribed>) {
     material.brick_impulse[b].setZero();
-    gather(PrescribedMotion{material.brick_impulse[b]});
+    gather(PrescribedMotion{{model_.numerics.pic}, material.brick_impulse[b]});
+  } else if (model_.numerics.pic > 0) {
+    gather(BlendedMotion{model_.numerics.pic});
   } else {
     gather(FreeMotion{});
   }
@@ -203,6 +231,9 @@ void Solver::apply_essential_conditions_again() {
     grid.updated[n] *= mass > smallest_nodal_mass ? 1 / mass : 0.0;
   }
   hold_updated_faces(grid, model_.faces);
+  for (std::size_t h = 0; h < held_nodes_.size(); ++h) {
+    hold_updated_nodes(grid, held_nodes_[h], model_.held[h], time() + dt_);
+  }
   for (std::size_t b = 0; b < driven_nodes_.size(); ++b) {
     if (const auto* rigid = model_.bodies[b].prescribed()) {
       override_updated_velocity(grid, driven_nodes_[b], rigid->next.velocity);

@@ -5,8 +5,16 @@
 
 #include "mpm/boundary.h"
 #include "mpm/critical_step.h"
+#include "mpm/damping.h"
+#include "mpm/load.h"
 
 namespace zona::mpm {
+
+/// Choices of the scheme; as in the source unless set.
+struct Numerics {
+  double pic = 0;      ///< fraction of PIC in the points' velocity; 0 is (3.37), FLIP
+  double damping = 0;  ///< local non-viscous damping of the nodal forces, 0 to 1
+};
 
 /// Everything a simulation starts from.
 struct Model {
@@ -14,6 +22,10 @@ struct Model {
   std::vector<Body> bodies;
   FaceConditions faces{};                             ///< all free
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
+  std::vector<BodyForce> forces{};
+  std::vector<SurfacePressure> pressures{};
+  std::vector<HeldNodes> held{};
+  Numerics numerics{};
 };
 
 /// Explicit material point method, MUSL variant, the algorithm of section 3.2.
@@ -37,10 +49,13 @@ class Solver {
   const std::vector<Body>& bodies() const { return model_.bodies; }
   const FaceConditions& faces() const { return model_.faces; }
   const Body& body(const std::string& name) const;
+  /// Held nodes in the order of the model, with the reactions of the last step.
+  const std::vector<HeldNodes>& held() const { return model_.held; }
 
  private:
   void prescribe_motion();
   void scatter();
+  void add_loads();
   void advance_momentum();
   void gather_and_map_back();
   void apply_essential_conditions_again();
@@ -62,6 +77,9 @@ class Solver {
   [[noreturn]] void fail_at(const Body& body, int point, const std::string& what) const;
 
   Model model_;
+  Loads loads_;
+  std::vector<std::vector<int>> held_nodes_;  ///< of each entry of Model::held
+  LocalDamping damping_;
   double dt_;
   int threads_;
   long steps_ = 0;

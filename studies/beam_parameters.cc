@@ -19,9 +19,7 @@ beam::Pipette pipette_from(const Configuration& study, const std::string& sectio
   try {
     beam::check(pipette);
   } catch (const std::invalid_argument& error) {
-    const std::string key = section + ".length";
-    throw InputError(
-        std::vector<Problem>{{study.where(key), key, error.what(), study.line_of(key)}});
+    throw InputError(std::vector<Problem>{study.problem(section + ".length", error.what())});
   }
   return pipette;
 }

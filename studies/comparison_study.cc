@@ -7,6 +7,7 @@
 #include "studies/interrupt.h"
 #include "studies/piercing_run.h"
 #include "studies/piercing_study.h"
+#include "studies/piercing_values.h"
 #include "studies/run_directory.h"
 
 namespace zona::studies {
@@ -77,7 +78,7 @@ void write_table(Session& session) {
 
 Job prepare_comparison(const Configuration& study) {
   const auto cases = std::make_shared<std::vector<PiercingCase>>(make_cases(study));
-  return [cases, plan = output_plan(study)](Session& session) {
+  return [cases, plan = output_plan(study, simulation_end(study))](Session& session) {
     session.results = nlohmann::json::array();
     for (const auto& piercing : *cases) {
       if (Interrupt::requested()) break;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/formula.h"
 #include "studies/input_error.h"
 #include "studies/schema.h"
 #include "studies/toml_document.h"
@@ -20,6 +21,13 @@ struct Setting {
   bool is_default = false;
   std::string where;  ///< "file:line" or "--set"; empty for a default
   int line = 0;       ///< 0 for defaults and overrides
+};
+
+/// Where a table of a list begins, and what it is called.
+struct ItemHeading {
+  std::string name;   ///< what its key `name` says; empty when that is no text
+  std::string where;  ///< "file:line" or "--set"
+  int line = 0;
 };
 
 /// A study with every parameter resolved and valid. Values in SI.
@@ -38,6 +46,8 @@ class Configuration {
   std::filesystem::path base_directory() const;
 
   bool has(const std::string& key) const { return schema_->find(key) != nullptr; }
+  /// Whether the key has a value: not where its conditions do not hold (Parameter::only_with).
+  bool applies(const std::string& key) const { return settings_.count(key) > 0; }
   double quantity(const std::string& key) const;  ///< SI; a named choice gives its value
   double number(const std::string& key) const;
   long integer(const std::string& key) const;
@@ -46,17 +56,37 @@ class Configuration {
   const std::string& text(const std::string& key) const;     ///< as written, of any kind of text
   std::filesystem::path path(const std::string& key) const;  ///< absolute; empty means none
   std::vector<double> quantities(const std::string& key) const;  ///< SI
+  Formula formula(const std::string& key) const;
+  std::vector<Formula> formulas(const std::string& key) const;
+  std::vector<double> numbers(const std::string& key) const;
   std::vector<long> integers(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;  ///< as written, e.g. fluid names
+
+  /// The table of that name, e.g. "grid" or "body.0".
+  Table table(const std::string& name) const;
+  /// The tables of a list, in the order of the file.
+  std::vector<Table> items(const std::string& list) const;
+  std::size_t item_count(const std::string& list) const { return headings(list).size(); }
+  const std::vector<ItemHeading>& headings(const std::string& list) const;
+  std::vector<std::string> item_names(const std::string& list) const;
+  /// All tables in the order of the schema: "grid", "body.0", "body.1", ...
+  std::vector<std::string> tables() const;
+  /// Keys of a table that have a value, in the order of the schema.
+  std::vector<std::string> keys_of(const std::string& table) const;
+  /// A key for people: items by their names, "body.left.density" for "body.0.density".
+  std::string shown_key(const std::string& key) const;
 
   bool is_auto(const std::string& key) const;
   bool is_default(const std::string& key) const;
   int line_of(const std::string& key) const;  ///< 0 for defaults and overrides
-  /// "file:line", "--set", or the file for a default.
-  std::string where(const std::string& key) const;
+  /// The problem that a key has, at its place: that of its value, of its table's heading in a list
+  /// where it has none, or the file.
+  Problem problem(const std::string& key, const std::string& message) const;
   const Setting& setting(const std::string& key) const;
 
   void set(const std::string& key, Setting setting);
+  void unset(const std::string& key) { settings_.erase(key); }
+  void set_items(const std::string& list, std::vector<ItemHeading> headings);
 
  private:
   const Setting& of_kind(const std::string& key, Parameter::Kind kind, bool is_list) const;
@@ -64,6 +94,45 @@ class Configuration {
   const Schema* schema_;
   std::filesystem::path file_;
   std::map<std::string, Setting> settings_;
+  std::map<std::string, std::vector<ItemHeading>> headings_;
+};
+
+/// One table of a study, e.g. [grid] or the first [[body]], whose values are asked for by the last
+/// parts of their keys. Lives no longer than its configuration.
+class Table {
+ public:
+  Table(const Configuration& study, std::string name) : study_(&study), name_(std::move(name)) {}
+
+  const Configuration& study() const { return *study_; }
+  std::string key(const std::string& leaf) const { return name_ + "." + leaf; }
+  /// The item's name; its number where it is "auto".
+  std::string name() const;
+  Problem problem(const std::string& leaf, const std::string& message) const {
+    return study_->problem(key(leaf), message);
+  }
+
+  bool applies(const std::string& leaf) const { return study_->applies(key(leaf)); }
+  bool is_auto(const std::string& leaf) const { return study_->is_auto(key(leaf)); }
+  double quantity(const std::string& leaf) const { return study_->quantity(key(leaf)); }
+  double number(const std::string& leaf) const { return study_->number(key(leaf)); }
+  long integer(const std::string& leaf) const { return study_->integer(key(leaf)); }
+  bool boolean(const std::string& leaf) const { return study_->boolean(key(leaf)); }
+  const std::string& choice(const std::string& leaf) const { return study_->choice(key(leaf)); }
+  const std::string& text(const std::string& leaf) const { return study_->text(key(leaf)); }
+  Formula formula(const std::string& leaf) const { return study_->formula(key(leaf)); }
+  std::vector<double> quantities(const std::string& leaf) const {
+    return study_->quantities(key(leaf));
+  }
+  std::vector<double> numbers(const std::string& leaf) const { return study_->numbers(key(leaf)); }
+  std::vector<long> integers(const std::string& leaf) const { return study_->integers(key(leaf)); }
+  std::vector<std::string> texts(const std::string& leaf) const { return study_->texts(key(leaf)); }
+  std::vector<Formula> formulas(const std::string& leaf) const {
+    return study_->formulas(key(leaf));
+  }
+
+ private:
+  const Configuration* study_;
+  std::string name_;
 };
 
 /// A cross-check asked for a value that is itself invalid; the loader skips such a check.

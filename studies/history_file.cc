@@ -23,11 +23,18 @@ HistoryFile::HistoryFile(const std::filesystem::path& file, const std::vector<Co
 }
 
 void HistoryFile::add(const std::vector<double>& row) {
-  if (row.size() != width_) {
+  write("", row, width_);
+}
+
+void HistoryFile::add(const std::string& word, const std::vector<double>& row) {
+  write(word, row, width_ - 1);
+}
+
+void HistoryFile::write(std::string line, const std::vector<double>& row, std::size_t values) {
+  if (row.size() != values) {
     throw std::logic_error(
-        fmt::format("a row of {} has {} values instead of {}", file_.string(), row.size(), width_));
+        fmt::format("a row of {} has {} values instead of {}", file_.string(), row.size(), values));
   }
-  std::string line;
   for (const double value : row) line += fmt::format("{}{}", line.empty() ? "" : ",", value);
   stream_ << line << '\n';
   const auto now = std::chrono::steady_clock::now();

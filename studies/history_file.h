@@ -24,8 +24,12 @@ class HistoryFile {
 
   /// Adds a row, one value per column. Throws RunError when the file cannot be written.
   void add(const std::vector<double>& row);
+  /// The same for a table whose first column holds words without commas.
+  void add(const std::string& word, const std::vector<double>& row);
 
  private:
+  void write(std::string line, const std::vector<double>& row, std::size_t values);
+
   std::filesystem::path file_;
   std::ofstream stream_;
   std::size_t width_;

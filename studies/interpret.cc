@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <stdexcept>
 
+#include "studies/keys.h"
 #include "studies/nearest.h"
 #include "studies/units.h"
 
@@ -20,10 +22,6 @@ class Unfit : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-std::string leaf(const std::string& key) {
-  return key.substr(key.rfind('.') + 1);
-}
 
 std::string advice(const Parameter& parameter) {
   return fmt::format("needs {}; write e.g. {} = {}", parameter.expectation(), leaf(parameter.key),
@@ -96,11 +94,46 @@ double interpret_quantity(const Parameter& parameter, const TomlValue& value) {
   }
 }
 
+/// The value of a constant; zero stands for a formula, whose text is what counts.
+double interpret_formula(const Parameter& parameter, const TomlValue& value) {
+  if (value.type == Type::integer || value.type == Type::number) {
+    throw Unfit(
+        fmt::format("{} has no unit; needs a text with a unit of {}, e.g. {}, or a formula "
+                    "of {} in SI",
+                    value.written(), dimension_of(parameter.unit),
+                    quoted_toml(example_of(parameter.unit)), joined(parameter.variables, " and ")));
+  }
+  if (value.type != Type::text) wrong_type(parameter, value);
+  try {
+    const Formula formula(value.text, parameter);
+    if (formula.constant()) check_range(parameter, value, *formula.constant());
+    return formula.constant().value_or(0);
+  } catch (const FormulaError& error) {
+    throw Unfit(error.what());
+  }
+}
+
 void interpret_choice(const Parameter& parameter, const TomlValue& value) {
   if (value.type != Type::text) wrong_type(parameter, value);
   const std::vector<std::string>& choices = parameter.choices;
   if (std::find(choices.begin(), choices.end(), value.text) == choices.end()) {
     unknown_word(parameter, value.text);
+  }
+}
+
+/// Names appear in keys, headings of tables and files, so they are words; a number would be taken
+/// for the place in the list.
+void interpret_name(const Parameter& parameter, const TomlValue& value) {
+  if (value.type != Type::text) wrong_type(parameter, value);
+  constexpr std::size_t longest = 40;
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+  const std::string& name = value.text;
+  const bool number = name.find_first_not_of("0123456789") == std::string::npos;
+  if (name.size() > longest || !std::all_of(name.begin(), name.end(), fits) || number) {
+    throw Unfit(
+        fmt::format("\"{}\" is not a name; needs at most {} letters, digits, _ and -, and "
+                    "no mere number",
+                    printable(name), longest));
   }
 }
 
@@ -125,8 +158,14 @@ void add_item(const Parameter& parameter, const TomlValue& item, Setting& settin
     case Kind::integer:
       number = interpret_integer(parameter, item);
       break;
+    case Kind::formula:
+      number = interpret_formula(parameter, item);
+      break;
     case Kind::choice:
       interpret_choice(parameter, item);
+      break;
+    case Kind::name:
+      interpret_name(parameter, item);
       break;
     case Kind::file:
       interpret_file(parameter, item);
@@ -143,6 +182,7 @@ void add_item(const Parameter& parameter, const TomlValue& item, Setting& settin
 }
 
 void check_count(const Parameter& parameter, std::size_t count) {
+  if (count == 0 && parameter.may_be_empty) return;
   if (count == 0) throw Unfit("the list is empty; " + advice(parameter));
   if (parameter.exact_count != 0 && count != parameter.exact_count) {
     throw Unfit(fmt::format("the list has {} items; {}", count, advice(parameter)));
@@ -169,6 +209,10 @@ Setting interpret(const Parameter& parameter, const TomlValue& value,
   };
   if (!parameter.is_list) {
     attempt([&] { add_item(parameter, value, setting); });
+  } else if (value.type != Type::list && parameter.one_for_all) {
+    attempt([&] { add_item(parameter, value, setting); });
+    setting.numbers.resize(parameter.exact_count, setting.numbers.empty() ? 0 : setting.numbers[0]);
+    setting.texts.resize(parameter.exact_count, setting.texts.empty() ? "" : setting.texts[0]);
   } else if (value.type != Type::list) {
     attempt([&] { wrong_type(parameter, value); });
   } else {

@@ -1,39 +1,18 @@
 #include "studies/piercing_case.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "coupling/prescribed_motion.h"
 #include "coupling/tip_motion.h"
 #include "coupling/tip_trace.h"
-#include "mpm/errors.h"
 #include "studies/beam_parameters.h"
+#include "studies/blame.h"
 #include "studies/piercing_values.h"
+#include "studies/time_step.h"
 
 namespace zona::studies {
 
 namespace {
 
 using Eigen::Vector3d;
-
-/// Runs f; what it finds wrong becomes an InputError at the key.
-template <class F>
-auto blaming(const Configuration& study, const std::string& key, F f) {
-  const auto refuse = [&](const std::exception& error) {
-    const int line = study.is_default(key) ? 0 : study.line_of(key);
-    throw InputError(std::vector<Problem>{{study.where(key), key, error.what(), line}});
-  };
-  try {
-    return f();
-  } catch (const std::logic_error& error) {  // invalid_argument, out_of_range, ModelError
-    refuse(error);
-  } catch (const std::runtime_error& error) {  // TraceError, FileError
-    refuse(error);
-  }
-  throw std::logic_error("unreachable");
-}
 
 PiercingSetup::FluidRegion fluid_region(const Configuration& study, const std::string& section) {
   const auto of = [&](const char* key) { return section + "." + key; };
@@ -76,13 +55,6 @@ PiercingSetup::Pipette pipette_setup(const Configuration& study, double fluid_de
   pipette.density = pipette_point_density(study, fluid_density);
   pipette.drive = study.choice("pipette.drive") == "nodes" ? mpm::Drive::nodes : mpm::Drive::points;
   return pipette;
-}
-
-mpm::FaceCondition face_condition(const std::string& name) {
-  if (name == "free") return mpm::FaceCondition::free;
-  if (name == "fixed") return mpm::FaceCondition::fixed;
-  if (name == "roller") return mpm::FaceCondition::roller;
-  return mpm::FaceCondition::absorbing;
 }
 
 PiercingSetup piercing_setup(const Configuration& study, double fluid_density) {
@@ -145,26 +117,6 @@ void set_motion(const Configuration& study, PiercingCase& c) {
   }
 }
 
-/// The step that the study asks for; "auto" takes its fraction of the critical step.
-void set_step(const Configuration& study, PiercingCase& c) {
-  const auto model = blaming(study, "grid.domain", [&] { return build_piercing(c.setup); });
-  const auto critical = mpm::critical_step(model.grid, model.bodies);
-  c.critical_step = critical.seconds;
-  if (study.is_auto("time.step")) {
-    const double longest = study.number("time.courant") * critical.seconds;
-    c.step = c.end / std::ceil(c.end / longest);
-    return;
-  }
-  c.step = study.quantity("time.step");
-  if (c.step <= critical.seconds) return;
-  blaming(study, "time.step", [&]() -> int {
-    throw mpm::ModelError(
-        fmt::format("{:.4g} ns is above the critical step of {:.4g} ns ({} of '{}'); choose at "
-                    "most that, or \"auto\"",
-                    c.step * 1e9, critical.seconds * 1e9, critical.reason, critical.body));
-  });
-}
-
 }  // namespace
 
 beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density) {
@@ -183,7 +135,10 @@ PiercingCase make_piercing_case(const Configuration& study, const std::string& f
   c.setup = piercing_setup(study, fluid_density);
   c.end = simulation_end(study);
   set_motion(study, c);
-  set_step(study, c);
+  const auto model = blaming(study, "grid.domain", [&] { return build_piercing(c.setup); });
+  const TimeStep step = time_step(study, model, c.end);
+  c.critical_step = step.critical;
+  c.step = step.seconds;
   return c;
 }
 

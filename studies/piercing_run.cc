@@ -1,55 +1,19 @@
 #include "studies/piercing_run.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "coupling/tip_trace.h"
 #include "mpm/diagnostics.h"
-#include "mpm/errors.h"
 #include "studies/damage.h"
 #include "studies/failure_pattern.h"
 #include "studies/history_file.h"
-#include "studies/interrupt.h"
-#include "studies/piercing_frames.h"
-#include "studies/progress.h"
 
 namespace zona::studies {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Of this process so far [bytes].
-long peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss * 1024;
-}
-
-/// Rate of the stepping alone, after the first steps, in which memory is touched for the first
-/// time.
-class StepTimer {
- public:
-  void add(double seconds) {
-    if (++steps_ > warm_up) seconds_ += seconds;
-  }
-  double steps_per_second() const {
-    return steps_ > warm_up ? static_cast<double>(steps_ - warm_up) / seconds_ : 0;
-  }
-
- private:
-  static constexpr long warm_up = 50;
-  long steps_ = 0;
-  double seconds_ = 0;
-};
 
 const std::vector<Column>& history_columns() {
   static const std::vector<Column> columns{{"time", "s"},
@@ -79,98 +43,52 @@ const std::vector<Column>& history_columns() {
   return columns;
 }
 
-/// Steps the solver, samples it and writes; one object per piercing.
+/// A piercing while it runs.
 class PiercingRun {
  public:
   PiercingRun(const PiercingCase& piercing, const OutputPlan& plan,
               const std::filesystem::path& directory, int threads)
       : case_(piercing),
-        plan_(plan),
         solver_(build_piercing(piercing.setup), piercing.step, threads),
         meter_(solver_.body("zona"), piercing_geometry(piercing.setup).tip),
-        history_(directory / "history.csv", history_columns()) {
-    if (plan.fields) frames_.emplace(directory.string());
-    total_steps_ = static_cast<long>(std::floor(piercing.end / piercing.step + 1e-6));
-    sample();
-    write_frame();
-  }
+        history_(directory / "history.csv", history_columns()),
+        march_(solver_, piercing.end, plan, directory,
+               {[this] { follow_pipette(); }, [this] { sample(); }, [this] { return status(); }}) {}
 
-  void run(const std::string& label, Progress& progress) {
-    progress.start(label, case_.end);
-    const double points = static_cast<double>(solver_.point_count());
-    try {
-      while (solver_.steps() < total_steps_ && !Interrupt::requested()) {
-        step();
-        progress.update(solver_.time(), points * static_cast<double>(solver_.steps()),
-                        quantities());
-      }
-    } catch (const mpm::PointError&) {
-      sample();
-      throw;
-    }
-    sample();
-    write_frame();
-    progress.finish();
-  }
-
+  void run(const std::string& label, Progress& progress) { march_.run(label, progress); }
   nlohmann::json results() const;
 
  private:
-  void step() {
-    const auto start = Clock::now();
-    solver_.step();
-    timer_.add(seconds_since(start));
+  void follow_pipette() {
     const auto* pipette = solver_.body("pipette").prescribed();
     impulse_work_ += pipette->reaction.dot(pipette->next.velocity) * solver_.step_size();
     largest_force_ = std::max(largest_force_, pipette->reaction.norm());
-    if (solver_.time() >= next_sample_) sample();
-    if (solver_.time() >= next_frame_) write_frame();
   }
-
   void sample();
-  void write_frame();
-  std::string quantities() const {
+  std::string status() const {
     return fmt::format("{} of {} points failed, strain {:.3f}", damage_.failed_points,
                        solver_.body("zona").points.size(), damage_.largest_strain);
   }
 
   const PiercingCase& case_;
-  OutputPlan plan_;
   mpm::Solver solver_;
   DamageMeter meter_;
   HistoryFile history_;
-  std::optional<mpm::FrameWriter> frames_;
   ZonaDamage damage_;
-  StepTimer timer_;
-  Clock::time_point started_ = Clock::now();
-  long total_steps_ = 0;
-  double next_sample_ = 0;
-  double next_frame_ = 0;
-  double last_sample_ = -1;
-  double last_frame_ = -1;
   double impulse_work_ = 0;
   double largest_force_ = 0;
   double highest_pressure_ = 0;
   double largest_excursion_ = 0;
+  SolverMarch march_;  ///< last, because it samples at once
 };
 
 void PiercingRun::sample() {
   const double t = solver_.time();
-  if (t == last_sample_) return;
-  last_sample_ = t;
-  while (next_sample_ <= t) next_sample_ += plan_.history_interval;
   const auto* pipette = solver_.body("pipette").prescribed();
   const auto state = pipette->state(std::min(t, case_.end));
   damage_ = meter_.measure(solver_.body("zona"));
   const auto pressure = mpm::cell_averaged_pressure(solver_.body("cytoplasm"));
-  mpm::BodyTotals sum;
-  for (const auto& body : solver_.bodies()) {
-    const auto part = mpm::totals(body);
-    sum.mass += part.mass;
-    sum.momentum += part.momentum;
-    sum.kinetic_energy += part.kinetic_energy;
-    sum.stored_energy += part.stored_energy;
-  }
+  const mpm::BodyTotals sum = totals(solver_.bodies());
   highest_pressure_ = std::max(highest_pressure_, pressure.highest);
   largest_excursion_ = std::max(largest_excursion_, state.displacement.norm());
   const auto& d = state.displacement;
@@ -202,14 +120,6 @@ void PiercingRun::sample() {
                 sum.stored_energy});
 }
 
-void PiercingRun::write_frame() {
-  const double t = solver_.time();
-  if (!frames_ || t == last_frame_) return;
-  last_frame_ = t;
-  while (next_frame_ <= t) next_frame_ += plan_.fields_interval;
-  frames_->add_frame(t, draw(solver_));
-}
-
 nlohmann::json PiercingRun::results() const {
   const auto& zona = *solver_.body("zona").membrane();
   double first_failure = std::numeric_limits<double>::infinity();
@@ -236,24 +146,13 @@ nlohmann::json PiercingRun::results() const {
   r["highest_cytoplasm_pressure"] = highest_pressure_;
   r["largest_pipette_force"] = largest_force_;
   r["pipette_work"] = impulse_work_;
-  r["points"] = solver_.point_count();
-  r["steps"] = solver_.steps();
-  r["simulated_time"] = solver_.time();
   r["time_step"] = case_.step;
   r["critical_time_step"] = case_.critical_step;
-  r["wall_seconds"] = seconds_since(started_);
-  r["peak_memory_bytes"] = peak_memory();
-  r["point_steps_per_second"] =
-      timer_.steps_per_second() * static_cast<double>(solver_.point_count());
+  march_.add_cost(r);
   return r;
 }
 
 }  // namespace
-
-OutputPlan output_plan(const Configuration& study) {
-  return {study.quantity("output.history_interval"), study.quantity("output.fields_interval"),
-          study.boolean("output.fields")};
-}
 
 void run_piercing(const PiercingCase& piercing, const OutputPlan& plan,
                   const std::filesystem::path& directory, const std::string& label,
@@ -279,7 +178,7 @@ StudyCost piercing_cost(const PiercingCase& piercing) {
     points += body.points.size();
     parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", body.name, body.points.size());
   }
-  const double steps = std::floor(piercing.end / piercing.step + 1e-6);
+  const auto steps = static_cast<double>(step_count(piercing.end, piercing.step));
   return {fmt::format(
               "{:.0f} points ({}); {:.0f} steps of {:.3g} ns, {:.2f} of the critical step; {:.3g} "
               "point-steps",

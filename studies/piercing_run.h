@@ -6,18 +6,10 @@
 
 #include "studies/piercing_case.h"
 #include "studies/session.h"
+#include "studies/solver_march.h"
 #include "studies/study_kinds.h"
 
 namespace zona::studies {
-
-/// When a piercing writes what [s].
-struct OutputPlan {
-  double history_interval = 1e-7;
-  double fields_interval = 4e-6;
-  bool fields = true;
-};
-
-OutputPlan output_plan(const Configuration& study);
 
 /// Runs one piercing and writes history.csv, fields.h5, fields.xdmf and, for a tip history, tip.csv
 /// into an existing directory. `results` becomes its entry of summary.json; when interrupted, of

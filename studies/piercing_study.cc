@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "studies/piercing_run.h"
+#include "studies/piercing_values.h"
 #include "studies/run_directory.h"
 
 namespace zona::studies {
@@ -12,7 +13,7 @@ namespace zona::studies {
 Job prepare_piercing(const Configuration& study) {
   const auto piercing = std::make_shared<PiercingCase>(
       make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
-  return [piercing, plan = output_plan(study)](Session& session) {
+  return [piercing, plan = output_plan(study, simulation_end(study))](Session& session) {
     session.directory.log(piercing_cost(*piercing).text);
     run_piercing(*piercing, plan, session.directory.path(), "piercing", session, session.results);
     const auto& r = session.results;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "studies/keys.h"
 #include "studies/nearest.h"
 #include "studies/study_kinds.h"
 
@@ -12,28 +13,29 @@ namespace zona::studies {
 
 namespace {
 
-std::string leaf(const std::string& key) {
-  return key.substr(key.rfind('.') + 1);
-}
-
-std::string section_of(const std::string& key) {
-  return key.substr(0, key.rfind('.'));
-}
-
 std::string default_text(const Parameter& parameter) {
   return parameter.is_required() ? "none: must be set" : parameter.default_toml;
+}
+
+/// "Only where `shape = "box"`. "; empty for a key that always applies.
+std::string conditions(const Parameter& parameter, const std::string& quote) {
+  std::string text;
+  for (const Condition& condition : parameter.conditions) {
+    text += (text.empty() ? "Only where " : " and ") + quote + condition.text() + quote;
+  }
+  return text.empty() ? "" : text + ". ";
 }
 
 std::string markdown_table(const Schema& schema, const Section& section) {
   std::string text = section.documentation +
                      "\n\n| Key | Default | Allowed | Meaning |\n| --- | --- | --- | --- |\n";
   for (const Parameter& parameter : schema.parameters()) {
-    if (section_of(parameter.key) != section.name) continue;
+    if (table_of(parameter.key) != section.name) continue;
     const std::string symbol =
         parameter.symbol.empty() ? "" : fmt::format(" Symbol: {}.", parameter.symbol);
-    text +=
-        fmt::format("| `{}` | `{}` | {} | {}{} |\n", leaf(parameter.key), default_text(parameter),
-                    parameter.expectation(), parameter.documentation, symbol);
+    text += fmt::format("| `{}` | `{}` | {} | {}{}{} |\n", leaf(parameter.key),
+                        default_text(parameter), parameter.expectation(),
+                        conditions(parameter, "`"), parameter.documentation, symbol);
   }
   return text;
 }
@@ -44,8 +46,8 @@ std::string anchor(const Schema& schema, const Section& section) {
 
 std::string full_help(const Parameter& parameter) {
   std::string text = fmt::format("{} = {}\n", parameter.key, default_text(parameter));
-  text +=
-      fmt::format("    {}\n    allowed: {}\n", parameter.documentation, parameter.expectation());
+  text += fmt::format("    {}{}\n    allowed: {}\n", conditions(parameter, ""),
+                      parameter.documentation, parameter.expectation());
   if (!parameter.symbol.empty()) text += fmt::format("    symbol: {}\n", parameter.symbol);
   return text;
 }
@@ -73,9 +75,9 @@ std::string help_of_keys(const Filter& filter) {
 std::string help_of_kind(const Schema& schema) {
   std::string text = fmt::format("study = \"{}\"\n{}\n", schema.kind(), schema.summary());
   for (const Section& section : schema.sections()) {
-    text += fmt::format("\n[{}]  # {}\n", section.name, section.documentation);
+    text += fmt::format("\n{}  # {}\n", section.heading(), section.documentation);
     for (const Parameter& parameter : schema.parameters()) {
-      if (section_of(parameter.key) != section.name) continue;
+      if (table_of(parameter.key) != section.name) continue;
       text += fmt::format("{} = {}\n", leaf(parameter.key), default_text(parameter));
     }
   }
@@ -106,8 +108,8 @@ std::string parameter_reference() {
     for (const Section& section : schema.sections()) {
       const std::string table = markdown_table(schema, section);
       const std::string place = anchor(schema, section);
-      const auto [first, is_new] = first_anchor.emplace("[" + section.name + "]" + table, place);
-      text += fmt::format("\n<a id=\"{}\"></a>\n### [{}]\n\n", place, section.name);
+      const auto [first, is_new] = first_anchor.emplace(section.heading() + table, place);
+      text += fmt::format("\n<a id=\"{}\"></a>\n### {}\n\n", place, section.heading());
       text += is_new ? table : fmt::format("As [{}](#{}).\n", first->second, first->second);
     }
   }

@@ -4,34 +4,34 @@
 
 #include <algorithm>
 
+#include "studies/keys.h"
 #include "studies/version.h"
 
 namespace zona::studies {
 
 namespace {
 
-std::string leaf(const std::string& key) {
-  return key.substr(key.rfind('.') + 1);
+std::string written(const Configuration& study, const std::string& key) {
+  const bool is_path = study.schema().find(key)->kind == Parameter::Kind::file;
+  if (is_path) return quoted_toml(study.path(key).string());
+  return study.setting(key).written.written();
 }
 
-bool is_in(const Parameter& parameter, const Section& section) {
-  return parameter.key == section.name + "." + leaf(parameter.key);
-}
-
-std::string written(const Configuration& study, const Parameter& parameter) {
-  const bool is_path = parameter.kind == Parameter::Kind::file;
-  if (is_path) return quoted_toml(study.path(parameter.key).string());
-  return study.setting(parameter.key).written.written();
+/// A constant in SI, a formula as it is written.
+std::string si_item(const Setting& setting, const Parameter& parameter, std::size_t i) {
+  const bool is_formula = parameter.kind == Parameter::Kind::formula &&
+                          !Formula(setting.texts[i], parameter).constant();
+  return is_formula ? quoted_toml(setting.texts[i]) : fmt::format("{:.9g}", setting.numbers[i]);
 }
 
 std::string si_value(const Setting& setting, const Parameter& parameter) {
-  const bool numeric = parameter.kind == Parameter::Kind::quantity ||
-                       parameter.kind == Parameter::Kind::number ||
-                       parameter.kind == Parameter::Kind::integer;
+  const bool numeric =
+      parameter.kind == Parameter::Kind::quantity || parameter.kind == Parameter::Kind::formula ||
+      parameter.kind == Parameter::Kind::number || parameter.kind == Parameter::Kind::integer;
   if (!numeric || setting.is_auto) return setting.written.written();
   std::string numbers;
-  for (const double number : setting.numbers) {
-    numbers += fmt::format("{}{:.9g}", numbers.empty() ? "" : ", ", number);
+  for (std::size_t i = 0; i < setting.numbers.size(); ++i) {
+    numbers += (numbers.empty() ? "" : ", ") + si_item(setting, parameter, i);
   }
   if (parameter.is_list) numbers = "[" + numbers + "]";
   return parameter.unit.empty() ? numbers : numbers + " " + parameter.unit;
@@ -52,30 +52,37 @@ std::string resolved_study(const Configuration& study) {
   std::string text =
       fmt::format("# {} with every parameter, as zona {} understood it.\nstudy = \"{}\"\n",
                   printable(study.file().filename().string()), zona_version(), study.kind());
-  for (const Section& section : study.schema().sections()) {
-    text += fmt::format("\n[{}]\n", section.name);
-    for (const Parameter& parameter : study.schema().parameters()) {
-      if (!is_in(parameter, section)) continue;
-      const std::string line = leaf(parameter.key) + " = " + written(study, parameter);
-      const bool is_default = study.is_default(parameter.key);
-      text += is_default ? fmt::format("{:<40}  # default\n", line) : line + "\n";
+  for (const std::string& table : study.tables()) {
+    const auto item = item_key(table);
+    text += "\n" + study.schema().find_section(item ? item->list : table)->heading() + "\n";
+    for (const std::string& key : study.keys_of(table)) {
+      const std::string line = leaf(key) + " = " + written(study, key);
+      text += study.is_default(key) ? fmt::format("{:<40}  # default\n", line) : line + "\n";
     }
   }
   return text;
 }
 
 std::string si_table(const Configuration& study) {
+  struct Row {
+    std::string key, value, origin;
+  };
+  std::vector<Row> rows;
   std::size_t key_width = 0, value_width = 0;
-  for (const Parameter& parameter : study.schema().parameters()) {
-    key_width = std::max(key_width, parameter.key.size());
-    const std::string value = si_value(study.setting(parameter.key), parameter);
-    if (value.size() <= 30) value_width = std::max(value_width, value.size());
+  for (const std::string& table : study.tables()) {
+    for (const std::string& key : study.keys_of(table)) {
+      const Setting& setting = study.setting(key);
+      rows.push_back(
+          {study.shown_key(key), si_value(setting, *study.schema().find(key)), origin(setting)});
+      key_width = std::max(key_width, rows.back().key.size());
+      const std::size_t width = rows.back().value.size();
+      if (width <= 30) value_width = std::max(value_width, width);
+    }
   }
   std::string text;
-  for (const Parameter& parameter : study.schema().parameters()) {
-    const Setting& setting = study.setting(parameter.key);
-    text += fmt::format("{:<{}}  {:<{}}  {}\n", parameter.key, key_width,
-                        si_value(setting, parameter), value_width, origin(setting));
+  for (const Row& row : rows) {
+    text +=
+        fmt::format("{:<{}}  {:<{}}  {}\n", row.key, key_width, row.value, value_width, row.origin);
   }
   return text;
 }

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "studies/piercing_study.h"
+#include "studies/scene_study.h"
 #include "studies/vibration_study.h"
 
 namespace zona::studies {
@@ -11,10 +12,12 @@ const std::vector<StudyKind>& study_kinds() {
   static const Schema vibration = make_vibration_schema();
   static const Schema piercing = make_piercing_schema();
   static const Schema comparison = make_comparison_schema();
+  static const Schema scene = make_scene_schema();
   static const std::vector<StudyKind> kinds = {
       {&vibration, prepare_vibration, estimate_vibration},
       {&piercing, prepare_piercing, estimate_piercing},
       {&comparison, prepare_comparison, estimate_comparison},
+      {&scene, prepare_scene, estimate_scene},
   };
   return kinds;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "studies/source_items.h"
+
 namespace zona::studies {
 
 namespace {
@@ -61,7 +63,17 @@ std::vector<TomlEntry> parse_override(const std::string& text, StudySource& sour
   return {};
 }
 
+/// Whether an override of `key` gives a whole list of tables, perhaps an empty one.
+bool is_whole_list(const std::string& key, const std::vector<TomlEntry>& entries) {
+  if (entries.empty()) return false;
+  const TomlEntry& first = entries.front();
+  const bool empty = first.value.type == TomlValue::Type::list && first.value.items.empty();
+  return (empty && first.key == key) ||
+         (first.value.type == TomlValue::Type::table && first.key == key + ".0");
+}
+
 void apply_override(TomlEntry entry, StudySource& source) {
+  entry.key = with_item_numbers(source.entries, entry.key);
   const auto same_key = [&](const SourcedEntry& other) { return other.entry.key == entry.key; };
   const auto found = std::find_if(source.entries.begin(), source.entries.end(), same_key);
   if (found != source.entries.end() && found->where == "--set") {
@@ -90,7 +102,10 @@ StudySource read_study_source(const std::filesystem::path& file,
                               error.line}});
   }
   for (const std::string& text : overrides) {
-    for (TomlEntry& entry : parse_override(text, source)) apply_override(std::move(entry), source);
+    std::vector<TomlEntry> entries = parse_override(text, source);
+    const std::string key = text.substr(0, text.find('='));
+    if (is_whole_list(key, entries)) erase_list(source.entries, key);
+    for (TomlEntry& entry : entries) apply_override(std::move(entry), source);
   }
   return source;
 }

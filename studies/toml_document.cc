@@ -51,12 +51,27 @@ std::string key_part(std::string_view part) {
   return plain ? std::string(part) : quoted_toml(part);
 }
 
+void flatten(const toml::table& table, const std::string& prefix, std::vector<TomlEntry>& entries);
+
+void flatten_list(const toml::array& tables, const std::string& key,
+                  std::vector<TomlEntry>& entries) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const std::string item = key + "." + std::to_string(i);
+    entries.push_back({item, converted(tables[i])});
+    flatten(*tables[i].as_table(), item + ".", entries);
+  }
+}
+
 void flatten(const toml::table& table, const std::string& prefix, std::vector<TomlEntry>& entries) {
   for (const auto& [name, node] : table) {
     const std::string key = prefix + key_part(name.str());
     const toml::table* inner = node.as_table();
     if (inner != nullptr && !inner->empty()) {
       flatten(*inner, key + ".", entries);
+      continue;
+    }
+    if (node.is_array_of_tables()) {
+      flatten_list(*node.as_array(), key, entries);
       continue;
     }
     TomlEntry entry{key, converted(node)};
@@ -127,6 +142,18 @@ std::vector<TomlEntry> parse_toml(std::string_view text) {
     return a.value.line < b.value.line;
   });
   return entries;
+}
+
+std::string toml_list(const std::vector<std::string>& values) {
+  std::string list;
+  for (const std::string& value : values) list += (list.empty() ? "" : ", ") + value;
+  return "[" + list + "]";
+}
+
+std::vector<std::string> quoted_toml(const std::vector<std::string>& texts) {
+  std::vector<std::string> result;
+  for (const std::string& text : texts) result.push_back(quoted_toml(text));
+  return result;
 }
 
 std::string quoted_toml(std::string_view text) {

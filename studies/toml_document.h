@@ -26,7 +26,9 @@ struct TomlValue {
 };
 
 /// One key with its value; tables are flattened, so that the key is dotted ("grid.cell"). A table
-/// without entries appears as an entry of type table.
+/// without entries appears as an entry of type table. Lists of tables are flattened too: every
+/// table of [[body]] has an entry of type table with the line of its heading ("body.0"), before
+/// those of its keys ("body.0.density").
 struct TomlEntry {
   std::string key;
   TomlValue value;
@@ -44,5 +46,9 @@ std::vector<TomlEntry> parse_toml(std::string_view text);
 
 /// `text` as a TOML string with its quotes.
 std::string quoted_toml(std::string_view text);
+std::vector<std::string> quoted_toml(const std::vector<std::string>& texts);
+
+/// Values that are TOML text as a TOML list.
+std::string toml_list(const std::vector<std::string>& values);
 
 }  // namespace zona::studies

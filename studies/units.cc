@@ -27,6 +27,7 @@ constexpr Dimension dimensions[] = {
     {"Pa s", "viscosity", "1 mPa s"}, {"1/s", "rate", "10 1/s"},
     {"m/s", "velocity", "0.1 m/s"},   {"rad", "angle", "1 deg"},
     {"N", "force", "0.5 uN"},         {"Hz", "frequency", "2 Hz"},
+    {"m^2", "area", "1 mm^2"},        {"m/s^2", "acceleration", "-9.81 m/s^2"},
 };
 
 const Dimension* find_dimension(const std::string& si_unit) {

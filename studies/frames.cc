@@ -1,4 +1,4 @@
-#include "studies/piercing_frames.h"
+#include "studies/frames.h"
 
 namespace zona::studies {
 

@@ -1,0 +1,20 @@
+#include "studies/scene_parameters.h"
+#include "studies/study_kinds.h"
+
+namespace zona::studies {
+
+Schema make_scene_schema() {
+  Schema schema("scene",
+                "Plain material point method: a grid, bodies, loads and measurements, all in the "
+                "file (chapters 3 and 4).");
+  declare_scene_grid(schema);
+  declare_scene_time(schema);
+  declare_scene_bodies(schema);
+  declare_scene_actions(schema);
+  declare_scene_measures(schema);
+  declare_scene_output(schema);
+  check_scene(schema);
+  return schema;
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "studies/study_kinds.h"
+
+namespace zona::studies {
+
+/// `study = "scene"`: plain MPM, all of it in the file.
+Job prepare_scene(const Configuration& study);
+std::string estimate_scene(const Configuration& study);
+
+}  // namespace zona::studies

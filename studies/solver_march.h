@@ -1,0 +1,72 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "mpm/frame_writer.h"
+#include "mpm/solver.h"
+#include "studies/configuration.h"
+#include "studies/progress.h"
+
+namespace zona::studies {
+
+/// When a simulation writes what [s].
+struct OutputPlan {
+  double history_interval = 1e-7;
+  double fields_interval = 4e-6;
+  bool fields = true;
+};
+
+/// As the [output] table says; "auto" intervals are 1/500 and 1/20 of `end` [s].
+OutputPlan output_plan(const Configuration& study, double end);
+
+/// Whole steps of `step` that fit into `end` [s].
+long step_count(double end, double step);
+
+/// What a simulation does besides stepping. Each is called from one thread.
+struct MarchCalls {
+  std::function<void()> after_step;     ///< after every step, before it is sampled
+  std::function<void()> sample;         ///< writes the state as a row of the history
+  std::function<std::string()> status;  ///< what the user should watch
+};
+
+/// Steps a solver to an end, samples it at even intervals, writes frames to fields.h5 and tells how
+/// far it is. The first instant is sampled and drawn at once.
+class SolverMarch {
+ public:
+  /// The solver and what the calls refer to must outlive the march. Files go to `directory`.
+  SolverMarch(mpm::Solver& solver, double end, const OutputPlan& plan,
+              const std::filesystem::path& directory, MarchCalls calls);
+
+  /// Returns at the end or when interrupted; the last state is sampled and drawn. An error passes
+  /// through after the last state is sampled.
+  void run(const std::string& label, Progress& progress);
+
+  /// Adds points, steps, simulated_time, wall_seconds, peak_memory_bytes, point_steps_per_second.
+  void add_cost(nlohmann::json& results) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void step();
+  void sample();
+  void write_frame();
+  /// Whether an instant has come; a rounding error early counts.
+  bool due(double instant) const;
+
+  mpm::Solver& solver_;
+  OutputPlan plan_;
+  MarchCalls calls_;
+  double end_;
+  std::optional<mpm::FrameWriter> frames_;
+  double next_sample_ = 0, last_sample_ = -1;
+  double next_frame_ = 0, last_frame_ = -1;
+  Clock::time_point started_ = Clock::now();
+  double stepping_seconds_ = 0;  ///< after the first steps, in which memory is touched first
+};
+
+}  // namespace zona::studies

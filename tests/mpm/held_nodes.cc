@@ -1,0 +1,109 @@
+#include <catch2/catch.hpp>
+
+#include "bar_model.h"
+#include "mpm/diagnostics.h"
+
+using namespace zona::mpm;
+using Eigen::Vector3d;
+using F = FaceCondition;
+
+namespace {
+
+/// Couette flow started at once between a fixed wall z = 0 and one at z = height with speed V: the
+/// exact velocity along x.
+double couette(double z, double t, double height, double viscosity, double speed) {
+  double u = speed * z / height;
+  for (int n = 1; n < 60; ++n) {
+    const double k = n * M_PI / height;
+    u += 2 * speed / (n * M_PI) * (n % 2 == 0 ? 1 : -1) * std::exp(-viscosity * k * k * t) *
+         std::sin(k * z);
+  }
+  return u;
+}
+
+/// Water of kinematic viscosity 0.01 m^2/s in `cells` cells of height over 1 m, walls by held
+/// nodes, only motion along x.
+struct CouetteCell {
+  static constexpr double height = 1, nu = 0.01, speed = 1e-4, rho = 1000;
+  int cells;
+  double h = height / cells;
+
+  Model model() const {
+    BackgroundGrid grid(Vector3d::Zero(), Vector3d::Constant(h), {1, 1, cells});
+    const auto lattice = fill_cells(grid, {2, 2, 2}, [](const Vector3d&) { return true; });
+    std::vector<double> mass;
+    for (double v : lattice.volumes) mass.push_back(rho * v);
+    auto points = make_points(lattice.places, mass);
+    Fluid fluid({rho, {4, 2}, 0, rho * nu, {}}, points.size());
+    Model model{grid, {}, {}, Vector3d::Zero()};
+    model.bodies.push_back({"water", std::move(points), std::move(fluid), {}});
+    const Box all{grid.origin(), grid.upper_corner()};
+    model.held.push_back({all, {false, true, true}, {}});
+    model.held.push_back({{all.low, {h, h, 0}}, {true, false, false}, {}});
+    model.held.push_back({{{0, 0, height}, all.high}, {true, false, false}, [](double) {
+                            return Vector3d(speed, 0, 0);
+                          }});
+    return model;
+  }
+  /// Largest error of the points' velocity over the speed of the wall, at `time`.
+  double error(const Solver& solver) const {
+    double largest = 0;
+    const auto& points = solver.bodies()[0].points;
+    for (int p = 0; p < points.size(); ++p) {
+      const double exact = couette(points.position[2][p], solver.time(), height, nu, speed);
+      largest = std::max(largest, std::abs(points.velocity[0][p] - exact) / speed);
+    }
+    return largest;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Held nodes drive Couette flow from its start, at second order") {
+  double error[2];
+  for (int fine : {0, 1}) {
+    const CouetteCell couette_cell{fine ? 20 : 10};
+    Solver solver(couette_cell.model(), 0.02);
+    while (solver.time() < 8) solver.step();
+    error[fine] = couette_cell.error(solver);
+    while (solver.time() < 60) solver.step();
+    // Steady to 2 exp(-nu pi^2 t / H^2) = 0.5 %: mu V / H on either wall.
+    const double drag =
+        CouetteCell::rho * CouetteCell::nu * CouetteCell::speed * couette_cell.h * couette_cell.h;
+    CHECK(solver.held()[2].reaction.x() == Approx(drag).epsilon(0.01));
+    CHECK(solver.held()[1].reaction.x() == Approx(-drag).epsilon(0.01));
+  }
+  INFO(error[0] << " at 10 cells, " << error[1] << " at 20");
+  CHECK(error[1] < 2e-3);
+  CHECK(std::log2(error[0] / error[1]) > 1.8);
+}
+
+TEST_CASE("What a held edge gives is the momentum that is missing") {
+  BarModel bar(12, 0.1);
+  Model model{bar.grid, {}, {}, Vector3d(0, 0, -9.81)};
+  auto points = bar.points(0, 1, {2, 2, 2}, 1000);
+  LinearElastic solid({1000, 1e6, 0.3}, points.size());
+  double mass = 0;
+  for (double m : points.mass) mass += m;
+  model.bodies.push_back({"bar", std::move(points), std::move(solid), {}});
+  const Vector3d end_force(3, 0, 0);
+  model.forces.push_back({"bar", {{0.9, 0, 0}, {1, 0.1, 0.1}}, [&](double) { return end_force; }});
+  model.held.push_back({{{0, 0, 0}, {0, 0.1, 0.1}}, {true, true, true}, {}});
+  model.held.push_back({{{0, 0, 0}, {1.2, 0.1, 0.1}}, {false, true, true}, [](double t) {
+                          return Vector3d(0, 0, 0.01 * t);
+                        }});
+  Solver solver(std::move(model), 5e-4);
+  Vector3d impulse = Vector3d::Zero();
+  double weighed = 0;
+  for (int s = 0; s < 300; ++s) {
+    solver.step();
+    for (const auto& held : solver.held()) impulse += held.reaction * solver.step_size();
+    weighed += solver.step_size();
+  }
+  const Vector3d momentum = totals(solver.bodies()[0]).momentum;
+  const Vector3d given = weighed * (end_force + mass * Vector3d(0, 0, -9.81)) + impulse;
+  // Rounding of 300 steps of impulses of 10 kg * 9.81 m/s^2 * 5e-4 s.
+  CHECK((momentum - given).norm() < 1e-12 * mass * 9.81 * weighed);
+  // Held components do what they are told to: the velocity at the end of the step.
+  CHECK(momentum.z() == Approx(mass * 0.01 * solver.time()).epsilon(1e-9));
+}
