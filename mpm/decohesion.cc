@@ -50,7 +50,7 @@ DecohesionFlow decohesion_flow(const Decohesion& m, const DecohesionSurface& sur
                                const SurfaceVector& t) {
   const double shear_strength = m.mode_ratio * surface.tensile_strength;
   const double a = std::max(t.normal, 0.0) / surface.tensile_strength;
-  const double b = t.tangential / shear_strength;
+  const double b = t.tangential > 1e-12 * t.normal ? t.tangential / shear_strength : 0;
   const double size = std::hypot(a, b);
   if (!(size > 0)) return {{0, 0}, 0};
   const double scale = m.reference_opening * surface.reference_traction;
@@ -59,13 +59,14 @@ DecohesionFlow decohesion_flow(const Decohesion& m, const DecohesionSurface& sur
 }
 
 double decohesion_increment(const Decohesion& m, const DecohesionSurface& surface, double lambda,
-                            double effective, double relief) {
+                            double effective, double relief, double at_axis) {
   const double initial = m.reference_opening * surface.reference_traction;  // U_0
   const double excess = effective - initial * (1 - std::pow(lambda, m.exponent));
-  if (!(excess > 0)) return 0;
+  constexpr double tolerance = 1e-10;  // of U_0
+  if (!(excess > tolerance * initial)) return 0;
   const double loss = initial * m.exponent * std::pow(lambda, m.exponent - 1);
   if (!(relief > loss)) return 1 - lambda;
-  return std::min(1 - lambda, excess / (relief - loss));
+  return std::min({1 - lambda, excess / (relief - loss), at_axis});
 }
 
 double longest_resolved_length(const Decohesion& m, const DecohesionSurface& surface,

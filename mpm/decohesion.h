@@ -68,12 +68,20 @@ DecohesionFlow decohesion_flow(const Decohesion& model, const DecohesionSurface&
                                const SurfaceVector& traction);
 
 /// The one-step update (5.41): by how much lambda^d grows from `lambda` when the trial state has
-/// the effective traction `effective`; zero where F^d <= 0. `relief` is m.Q.m / L_e [J/m^2], what
+/// the effective traction `effective`; zero where F^d <= tol. `relief` is m.Q.m / L_e [J/m^2], what
 /// the effective traction loses per lambda^d at fixed strain. Where that is not more than what the
 /// surface's strength loses, the answer of (5.41) is negative or unbounded: the softening snaps
 /// back, and the point fails at once: 1 - lambda.
+///
+/// One step of it meets F^d = 0 where the direction of the traction stays. Materials take the
+/// step again, from where it led to, until it does: F^d is convex, so that they come from outside.
+/// No step goes beyond `at_axis`, where the traction along the surface vanishes: it would turn
+/// round and swing.
 double decohesion_increment(const Decohesion& model, const DecohesionSurface& surface,
-                            double lambda, double effective, double relief);
+                            double lambda, double effective, double relief, double at_axis);
+
+/// How often a material repeats (5.41) in a step at most; what is left waits for the next step.
+inline constexpr int most_repetitions = 30;
 
 /// Largest effective length at which a surface under this traction opens gradually until it has
 /// opened [m]; beyond it the softening snaps back. `stiffness` is that of n.E.n against a normal

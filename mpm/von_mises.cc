@@ -72,13 +72,13 @@ double radial_stiffness(double shear_modulus) {
 }
 
 double equivalent_stress(const PlaneTensor& s) {
-  return std::sqrt(s[0] * s[0] + s[1] * s[1] - s[0] * s[1] + 3 * s[2] * s[2]);
+  return std::sqrt(s.xx * s.xx + s.yy * s.yy - s.xx * s.yy + 3 * s.xy * s.xy);
 }
 
 PlaneStressFlow::PlaneStressFlow(const PlaneTensor& trial, const ElasticModuli& moduli)
-    : sum_((trial[0] + trial[1]) * std::sqrt(0.5)),
-      difference_((trial[1] - trial[0]) * std::sqrt(0.5)),
-      shear_(trial[2]),
+    : sum_((trial.xx + trial.yy) * std::sqrt(0.5)),
+      difference_((trial.yy - trial.xx) * std::sqrt(0.5)),
+      shear_(trial.xy),
       two_g_(2 * moduli.shear()),
       ratio_(moduli.youngs_modulus / (3 * (1 - moduli.poisson_ratio)) / two_g_) {}
 

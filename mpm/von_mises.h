@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "mpm/decohesion.h"
+#include "mpm/plane_tensor.h"
 
 namespace zona::mpm {
 
@@ -53,9 +54,6 @@ PlasticFlow return_along(const VonMises& model, double trial, double internal, d
 
 /// `stiffness` of the radial return in three dimensions, sqrt(6) G [Pa].
 double radial_stiffness(double shear_modulus);
-
-/// In-plane stress or strain, tensor components xx yy xy.
-using PlaneTensor = std::array<double, 3>;
 
 /// sqrt(3 J2) in plane stress [Pa].
 double equivalent_stress(const PlaneTensor& stress);

@@ -107,29 +107,35 @@ void SolidState<VonMises>::open(int p, Stress& stress, const ElasticModuli& modu
   if (surfaces.failed(p)) return stress.setZero(), void();
   const double before = elastic_energy(stress, moduli);
   const Vector3d normal(surfaces.normal[0][p], surfaces.normal[1][p], surfaces.normal[2][p]);
+  const double length = effective_length(normal, law.cell);
+  for (int i = 0; i < most_repetitions; ++i) {
+    if (!open_once(p, stress, normal, length, moduli, law)) break;
+  }
+  if (surfaces.failed(p)) stress.setZero();
+  surfaces.dissipated[p] += length * (before - elastic_energy(stress, moduli));
+}
+
+bool SolidState<VonMises>::open_once(int p, Stress& stress, const Vector3d& normal, double length,
+                                     const ElasticModuli& moduli, const Decohesion& law) {
   const Vector3d traction = stress * normal;
   const double along_normal = normal.dot(traction);
   const Vector3d along_surface = traction - along_normal * normal;
   const auto [direction, effective] =
       decohesion_flow(law, surfaces.surface(p), {along_normal, along_surface.norm()});
-  const double length = effective_length(normal, law.cell);
   const double relief = (moduli.constrained() * direction.normal * direction.normal +
                          moduli.shear() * direction.tangential * direction.tangential) /
                         length;
-  const double opening =
-      decohesion_increment(law, surfaces.surface(p), surfaces.opened[p], effective, relief);
-  if (opening == 0) return;
-  surfaces.opened[p] += opening;
-  if (surfaces.failed(p)) {
-    stress.setZero();
-  } else {
-    const Vector3d m =
-        direction.normal * normal + direction.tangential * along_surface.normalized();
-    stress -= opening / length *
-              (moduli.lame_first() * direction.normal * Matrix3d::Identity() +
-               moduli.shear() * (normal * m.transpose() + m * normal.transpose()));
-  }
-  surfaces.dissipated[p] += length * (before - elastic_energy(stress, moduli));
+  const double at_axis = direction.tangential > 0 ? along_surface.norm() * length /
+                                                        (moduli.shear() * direction.tangential)
+                                                  : HUGE_VAL;
+  const double grown = decohesion_increment(law, surfaces.surface(p), surfaces.opened[p], effective,
+                                            relief, at_axis);
+  surfaces.opened[p] += grown;
+  const Vector3d m = direction.normal * normal + direction.tangential * along_surface.normalized();
+  stress -= grown / length *
+            (moduli.lame_first() * direction.normal * Matrix3d::Identity() +
+             moduli.shear() * (normal * m.transpose() + m * normal.transpose()));
+  return grown > 0 && !surfaces.failed(p);
 }
 
 void SolidState<VonMises>::turn_normal(int p, const Eigen::Matrix3d& turn) {

@@ -44,6 +44,9 @@ struct SolidState<VonMises> {
   void flow(int p, Stress& stress, const ElasticModuli& moduli, const VonMises& law);
   bool localise(int p, const Stress& on_surface, const ElasticModuli& moduli, const VonMises& law);
   void open(int p, Stress& stress, const ElasticModuli& moduli, const Decohesion& law);
+  /// One step (5.41). Whether another may be needed.
+  bool open_once(int p, Stress& stress, const Eigen::Vector3d& normal, double length,
+                 const ElasticModuli& moduli, const Decohesion& law);
   void turn_normal(int p, const Eigen::Matrix3d& turn);
 };
 
