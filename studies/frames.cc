@@ -26,7 +26,7 @@ mpm::PointCloud draw_body(const mpm::Body& body) {
     cloud.triangles = membrane->surface.triangles();
     cloud.fields["failed"] = by_id(body, [&](int p) { return membrane->failed(p) ? 1.0 : 0.0; });
     cloud.fields["strain"] = by_id(body, [&](int p) { return membrane->strain[p]; });
-    cloud.fields["damage"] = by_id(body, [&](int p) { return 1 - membrane->integrity[p]; });
+    cloud.fields["damage"] = by_id(body, [&](int p) { return 1 - membrane->integrity.left[p]; });
   }
   if (const auto* fluid = std::get_if<mpm::Fluid>(&body.material)) {
     const auto& s = fluid->stress;

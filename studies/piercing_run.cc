@@ -123,7 +123,7 @@ void PiercingRun::sample() {
 nlohmann::json PiercingRun::results() const {
   const auto& zona = *solver_.body("zona").membrane();
   double first_failure = std::numeric_limits<double>::infinity();
-  for (double t : zona.failure_time) first_failure = std::min(first_failure, t);
+  for (double t : zona.integrity.failure_time) first_failure = std::min(first_failure, t);
   nlohmann::json r;
   r["fluid"] = case_.fluid;
   r["fluid_density"] = case_.fluid_density;

@@ -140,13 +140,12 @@ mpm::Body membrane_body(const Table& table, const mpm::BackgroundGrid& grid) {
   for (double area : weighted.areas) {
     mass.push_back(properties.density * properties.thickness * area);
   }
-  std::optional<mpm::Elastodamage> damage;
+  mpm::MembraneLaw law = mpm::Elastic{};
   if (table.choice("law") == "elastodamage") {
-    damage =
-        mpm::Elastodamage{table.number("c0"), table.number("c1"), table.number("elastic_limit")};
+    law = mpm::Elastodamage{table.number("c0"), table.number("c1"), table.number("elastic_limit")};
   }
   const mpm::MaterialPoints points = points_of(table, pieces, mass);
-  mpm::Membrane membrane(properties, damage, table.choice("kinematics") == "objective", points,
+  mpm::Membrane membrane(properties, law, table.choice("kinematics") == "objective", points,
                          weighted.surface.triangles);
   return {table.name(), points, std::move(membrane), {}};
 }

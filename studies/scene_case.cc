@@ -73,7 +73,7 @@ SceneCase make_scene_case(const Configuration& study) {
   return {study, std::move(model), step, end};
 }
 
-std::string scene_cost(const SceneCase& scene) {
+StudyCost scene_cost(const SceneCase& scene) {
   const auto& cells = scene.model.grid.cells();
   std::string text = fmt::format("grid of {} x {} x {} cells\n", cells[0], cells[1], cells[2]);
   double points = 0;
@@ -84,11 +84,10 @@ std::string scene_cost(const SceneCase& scene) {
                         std::accumulate(mass.begin(), mass.end(), 0.0));
   }
   const auto steps = static_cast<double>(step_count(scene.end, scene.step.seconds));
-  return text + fmt::format(
-                    "{:.0f} points; {:.0f} steps of {:.4g} s, {:.2f} of the critical step; "
-                    "{:.3g} point-steps",
-                    points, steps, scene.step.seconds, scene.step.seconds / scene.step.critical,
-                    points * steps);
+  text += fmt::format(
+      "{:.0f} points; {:.0f} steps of {:.4g} s, {:.2f} of the critical step; {:.3g} point-steps",
+      points, steps, scene.step.seconds, scene.step.seconds / scene.step.critical, points * steps);
+  return {text, points * steps};
 }
 
 }  // namespace zona::studies

@@ -4,6 +4,7 @@
 
 #include "mpm/solver.h"
 #include "studies/configuration.h"
+#include "studies/study_kinds.h"
 #include "studies/time_step.h"
 
 namespace zona::studies {
@@ -20,6 +21,6 @@ struct SceneCase {
 SceneCase make_scene_case(const Configuration& study);
 
 /// Cells, points and mass of each body, and steps, in a few lines.
-std::string scene_cost(const SceneCase& scene);
+StudyCost scene_cost(const SceneCase& scene);
 
 }  // namespace zona::studies

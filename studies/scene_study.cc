@@ -33,16 +33,16 @@ std::string probe_table(const nlohmann::json& results) {
 Job prepare_scene(const Configuration& study) {
   const auto scene = std::make_shared<SceneCase>(make_scene_case(study));
   return [scene](Session& session) {
-    session.directory.log(scene_cost(*scene));
+    session.directory.log(scene_cost(*scene).text);
     run_scene(*scene, session);
     const auto& r = session.results;
-    fmt::print("{}{} points, {} steps, {:.1f} million point-steps/s on {} threads\n",
+    session.conclusion = fmt::format("{}{} points, {} steps, {:.1f} million point-steps/s on {} threads\n",
                probe_table(r), r["points"].get<long>(), r["steps"].get<long>(),
                r["point_steps_per_second"].get<double>() / 1e6, session.threads);
   };
 }
 
-std::string estimate_scene(const Configuration& study) {
+StudyCost estimate_scene(const Configuration& study) {
   return scene_cost(make_scene_case(study));
 }
 

@@ -13,9 +13,9 @@ studies::FailurePattern pattern_of(Failed failed) {
   const auto sheet = mpm::sheet({0, -2, -2}, {0, 4, 0}, {0, 0, 4}, 81, 81);
   const auto points =
       mpm::make_points(sheet.places, std::vector<double>(sheet.places.size(), 1e-3));
-  mpm::Membrane zona({1100, 1e-3, 1e4, 0.3}, {}, false, points, sheet.triangles);
+  mpm::Membrane zona({1100, 1e-3, 1e4, 0.3}, mpm::Elastic{}, false, points, sheet.triangles);
   for (std::size_t p = 0; p < sheet.places.size(); ++p) {
-    if (failed(sheet.places[p].y(), sheet.places[p].z())) zona.integrity[p] = 0;
+    if (failed(sheet.places[p].y(), sheet.places[p].z())) zona.integrity.left[p] = 0;
   }
   return failure_pattern(zona, sheet.places, {{0, 0, 0}, {1, 0, 0}, 1, 0.4, 0.5});
 }
