@@ -4,9 +4,10 @@ namespace zona::studies::verification {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
-      pipette_frequencies(),
-      support_motion(),
-      pipette_amplitude(),
+      impact(),         sod_tube(),
+      piston(),           oblique_wave(), injection(),
+      pipette_frequencies(), support_motion(), pipette_amplitude(), inflated_sphere(), hencky(),
+      stokes(), couette(), 
   };
   return all;
 }
