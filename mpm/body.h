@@ -20,6 +20,11 @@ struct Body {
   MaterialPoints points;
   Material material;
   CellIndex cells;
+  /// Fluids and 3D solids: every point of a cell takes the mean volumetric strain rate of the
+  /// body's points there, by volume, and they push with their mean spherical stress (B-bar). One
+  /// cell then constrains the volume once, not once per point: an almost incompressible body does
+  /// not lock, and its points do not hold pressures that the grid does not see.
+  bool average_volume_strain = false;
 
   const Membrane* membrane() const { return std::get_if<Membrane>(&material); }
   const Prescribed* prescribed() const { return std::get_if<Prescribed>(&material); }

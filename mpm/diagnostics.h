@@ -21,6 +21,7 @@ BodyTotals totals(const Body& body);
 struct PressureRange {
   double lowest;
   double highest;
+  double scatter;  ///< root mean square, by volume, of the points about their cell's average [Pa]
 };
 PressureRange cell_averaged_pressure(const Body& fluid_body);
 

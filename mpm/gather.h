@@ -3,6 +3,7 @@
 #include "mpm/prescribed.h"
 #include "mpm/shape_functions.h"
 #include "mpm/velocity_gradient.h"
+#include "mpm/volume_average.h"
 
 namespace zona::mpm {
 
@@ -145,5 +146,15 @@ struct CellGradient {
     return gradient;
   }
 };
+
+/// Mean divergence [1/s] over the points of a cell, by volume.
+template <class Material>
+inline double mean_divergence(const Material& material, const MaterialPoints& points,
+                              const Cell& cell, const CellGradient& gradient, const int* begin,
+                              const int* end) {
+  return volume_average(material, points, begin, end, [&](const PointGroup& group) {
+    return divergence(gradient.at(cell.natural(group.load(points.position))));
+  });
+}
 
 }  // namespace zona::mpm

@@ -2,6 +2,7 @@
 
 #include "mpm/shape_functions.h"
 #include "mpm/velocity_gradient.h"
+#include "mpm/volume_average.h"
 
 namespace zona::mpm {
 
@@ -34,11 +35,24 @@ struct PointLoads {
   alignas(64) double stress[3][3][lane_count];  ///< -volume sigma_ij / cell size_j [N]
 };
 
-template <class Material>
+/// Stress as it acts on the nodes: that of the points, or their deviators with the mean stress of
+/// the cell [Pa].
+template <bool averaged, class Material>
+inline SymmetricTensorLanes acting_stress(const Material& material, const PointGroup& group,
+                                          double mean_stress) {
+  SymmetricTensorLanes sigma = group.load(material.stress);
+  if constexpr (averaged) {
+    const Lanes change = mean_stress - trace(sigma) / 3.0;
+    for (int i = 0; i < 3; ++i) sigma[i] += change;
+  }
+  return sigma;
+}
+
+template <bool averaged, class Material>
 inline void load_stress(const Material& material, const PointGroup& group, const Cell& cell,
-                        const Lanes& mass, PointLoads& loads) {
+                        const Lanes& mass, double mean_stress, PointLoads& loads) {
   const Lanes volume = material.volume(group, mass);
-  const SymmetricTensorLanes sigma = group.load(material.stress);
+  const SymmetricTensorLanes sigma = acting_stress<averaged>(material, group, mean_stress);
   constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
   for (int j = 0; j < 3; ++j) {
     const Lanes scale = -cell.inverse[j] * volume;
@@ -47,9 +61,10 @@ inline void load_stress(const Material& material, const PointGroup& group, const
 }
 
 /// Adds mass (3.30), momentum (3.31) and internal force (3.32) of a group of points.
-template <class Material>
+template <bool averaged, class Material>
 inline void add_points(const Material& material, const MaterialPoints& points,
-                       const PointGroup& group, const Cell& cell, NodalSums& sums) {
+                       const PointGroup& group, const Cell& cell, double mean_stress,
+                       NodalSums& sums) {
   PointLoads loads;
   const auto natural = cell.natural(group.load(points.position));
   const Lanes mass = group.load(points.mass);
@@ -58,7 +73,8 @@ inline void add_points(const Material& material, const MaterialPoints& points,
     store(loads.natural[i], natural[i]);
     store(loads.momentum[i], mass * group.load(points.velocity[i]));
   }
-  if constexpr (Material::has_stress) load_stress(material, group, cell, mass, loads);
+  if constexpr (Material::has_stress)
+    load_stress<averaged>(material, group, cell, mass, mean_stress, loads);
 
   for (int p = 0; p < group.count(); ++p) {
     const auto n =
@@ -79,13 +95,22 @@ inline void add_points(const Material& material, const MaterialPoints& points,
   }
 }
 
-/// Scatters the points of one cell to its nodes.
-template <class Material>
+/// Scatters the points of one cell to its nodes. With `averaged` the points of the cell push with
+/// their mean spherical stress: what goes with their mean volumetric strain rate, see Body, so that
+/// the work of the forces is the work of the stresses.
+template <bool averaged, class Material>
 inline void scatter_cell(const Material& material, const MaterialPoints& points, const Cell& cell,
                          const int* begin, const int* end, BackgroundGrid& grid) {
   NodalSums sums;
-  for_each_group(begin, end,
-                 [&](const PointGroup& group) { add_points(material, points, group, cell, sums); });
+  double mean_stress = 0;
+  if constexpr (averaged) {
+    mean_stress = volume_average(material, points, begin, end, [&](const PointGroup& group) {
+      return trace(group.load(material.stress)) / 3.0;
+    });
+  }
+  for_each_group(begin, end, [&](const PointGroup& group) {
+    add_points<averaged>(material, points, group, cell, mean_stress, sums);
+  });
   if (const double shear = material.shear_wave_speed(); shear > 0) {
     for (int n = 0; n < 8; ++n) {
       grid.updated[cell.first_node + grid.node_offsets()[n]][3] += shear * sums.mass[n];

@@ -43,6 +43,10 @@ Solver::Solver(Model model, double step, int threads)
     throw ModelError(fmt::format("the fraction of PIC must lie in [0, 1], got {}", pic));
   if (threads < 1) throw ModelError(fmt::format("at least one thread is needed, got {}", threads));
   for (auto& body : model_.bodies) {
+    if (body.average_volume_strain && (body.membrane() || body.prescribed())) {
+      throw ModelError(
+          fmt::format("body '{}' has no volumetric strain that could be averaged", body.name));
+    }
     const int outside = body.cells.build(model_.grid, body.points.position);
     if (outside >= 0) fail_at(body, outside, "a point lies outside the grid");
     body.reorder_as_walked();
@@ -142,10 +146,18 @@ void Solver::scatter() {
 
 template <class Material>
 void Solver::scatter_brick(const Material& material, const Body& body, int b) {
-  for_each_cell(model_.grid, b, body.cells.brick(b),
-                [&](const Cell& cell, const int* begin, const int* end, int) {
-                  scatter_cell(material, body.points, cell, begin, end, model_.grid);
-                });
+  const auto scatter = [&](auto averaged) {
+    for_each_cell(model_.grid, b, body.cells.brick(b),
+                  [&](const Cell& cell, const int* begin, const int* end, int) {
+                    scatter_cell<averaged.value>(material, body.points, cell, begin, end,
+                                                 model_.grid);
+                  });
+  };
+  if (body.average_volume_strain) {
+    if constexpr (Material::has_stress) scatter(std::true_type{});
+  } else {
+    scatter(std::false_type{});
+  }
 }
 
 void Solver::add_loads() {
@@ -241,24 +253,30 @@ void Solver::apply_essential_conditions_again() {
   }
 }
 
-template <class Material>
+template <bool averaged, class Material>
 void Solver::update_brick(Material& material, Body& body, int b) {
   const double length = model_.grid.characteristic_length();
-  for_each_cell(
-      model_.grid, b, body.cells.brick(b),
-      [&](const Cell& cell, const int* begin, const int* end, int) {
-        const CellGradient gradient(model_.grid, cell);
-        for_each_group(begin, end, [&](const PointGroup& group) {
-          const auto natural = cell.natural(group.load(body.points.position));
-          const LaneMask bad = material.update(group, gradient.at(natural), dt_, length);
-          if (!any(bad, group.count())) return;
+  for_each_cell(model_.grid, b, body.cells.brick(b),
+                [&](const Cell& cell, const int* begin, const int* end, int) {
+                  const CellGradient gradient(model_.grid, cell);
+                  double mean = 0;
+                  if constexpr (averaged)
+                    mean = mean_divergence(material, body.points, cell, gradient, begin, end);
+                  for_each_group(begin, end, [&](const PointGroup& group) {
+                    VelocityGradient l =
+                        gradient.at(cell.natural(group.load(body.points.position)));
+                    if constexpr (averaged) l = with_divergence(l, mean);
+                    const LaneMask bad = material.update(group, l, dt_, length);
+                    if (any(bad, group.count())) note_bad(body, group, bad);
+                  });
+                });
+}
+
+void Solver::note_bad(const Body& body, const PointGroup& group, const LaneMask& bad) {
 #pragma omp critical
-          for (int l = 0; l < group.count(); ++l) {
-            if (bad[l])
-              bad_points_.push_back({static_cast<int>(&body - model_.bodies.data()), group[l]});
-          }
-        });
-      });
+  for (int l = 0; l < group.count(); ++l) {
+    if (bad[l]) bad_points_.push_back({static_cast<int>(&body - model_.bodies.data()), group[l]});
+  }
 }
 
 void Solver::update_stress() {
@@ -269,7 +287,12 @@ void Solver::update_stress() {
       std::visit(
           [&](auto& material) {
             using M = std::decay_t<decltype(material)>;
-            if constexpr (M::has_stress) update_brick(material, body, b);
+            if constexpr (M::has_stress) {
+              if (body.average_volume_strain)
+                update_brick<true>(material, body, b);
+              else
+                update_brick<false>(material, body, b);
+            }
           },
           body.material);
     }

@@ -72,8 +72,9 @@ class Solver {
   void scatter_brick(const Material& material, const Body& body, int b);
   template <class Material>
   void gather_brick(Material& material, Body& body, int b);
-  template <class Material>
+  template <bool averaged, class Material>
   void update_brick(Material& material, Body& body, int b);
+  void note_bad(const Body& body, const PointGroup& group, const LaneMask& bad);
   [[noreturn]] void fail_at(const Body& body, int point, const std::string& what) const;
 
   Model model_;
