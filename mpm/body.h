@@ -14,6 +14,10 @@ namespace zona::mpm {
 /// What a body is made of: chosen once per body and brick, never per point.
 using Material = std::variant<Fluid, LinearElastic, Membrane, Prescribed>;
 
+/// Whether a material has a volumetric strain that can be averaged over cells: fluids and solids.
+template <class M>
+inline constexpr bool can_average_volume = M::has_stress && !std::is_same_v<M, Membrane>;
+
 /// Material points of one material.
 struct Body {
   std::string name;
@@ -28,6 +32,7 @@ struct Body {
 
   const Membrane* membrane() const { return std::get_if<Membrane>(&material); }
   const Prescribed* prescribed() const { return std::get_if<Prescribed>(&material); }
+  bool can_average() const;
   double wave_speed() const;
   double shear_wave_speed() const;
   /// Stores the points in the order in which the step walks them. Membranes stay as they are.

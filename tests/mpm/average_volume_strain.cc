@@ -4,6 +4,7 @@
 #include "mpm/errors.h"
 #include "mpm/gather.h"
 #include "mpm/scatter.h"
+#include "mpm/shape_functions.h"
 #include "vortex_model.h"
 
 using namespace zona::mpm;
@@ -39,13 +40,13 @@ struct RandomCell {
     return make_points(at, std::vector<double>(count, 0.1));
   }
   double mean() const {
-    const CellGradient gradient(grid, cell);
+    const Trilinear::CellGradient gradient(grid, cell);
     return mean_divergence(solid, points, cell, gradient, all.data(), all.data() + all.size());
   }
   /// f(point, gradient at the point, volume)
   template <class Visit>
   void for_each_point(Visit visit) const {
-    const CellGradient gradient(grid, cell);
+    const Trilinear::CellGradient gradient(grid, cell);
     for (int p : all) {
       const PointGroup group(&p, 1);
       visit(p, gradient.at(cell.natural(group.load(points.position))),
@@ -115,8 +116,8 @@ TEST_CASE("Averaging leaves a homogeneous rate alone and keeps deviator, spin an
 
 TEST_CASE("With averaged rates the nodal forces do the work of the stresses") {
   RandomCell random(21);
-  scatter_cell<true>(random.solid, random.points, random.cell, random.all.data(),
-                     random.all.data() + random.all.size(), random.grid);
+  scatter_cell<Trilinear, true>(random.solid, random.points, random.cell, random.all.data(),
+                                random.all.data() + random.all.size(), random.grid);
   double forces = 0, stresses = 0;
   for (std::size_t n = 0; n < random.grid.node_count(); ++n) {
     for (int i = 0; i < 3; ++i) forces += random.grid.state[n][4 + i] * random.grid.updated[n][i];
