@@ -8,6 +8,8 @@
 #include "coupling/tip_trace.h"
 #include "mpm/diagnostics.h"
 #include "studies/damage.h"
+
+#include "studies/decohesion_results.h"
 #include "studies/failure_pattern.h"
 #include "studies/history_file.h"
 
@@ -141,6 +143,9 @@ nlohmann::json PiercingRun::results() const {
       to_json(failure_pattern(zona, meter_.reference(), piercing_geometry(case_.setup).tip));
   r["time_of_first_failure"] =
       std::isfinite(first_failure) ? nlohmann::json(first_failure) : nlohmann::json();
+  if (const auto* plastic = std::get_if<mpm::MembraneState<mpm::VonMises>>(&zona.state)) {
+    r["decohesion"] = decohesion_results(*plastic);
+  }
   r["largest_strain_away"] = meter_.peak_strain_away();
   r["largest_displacement_away"] = meter_.peak_displacement_away();
   r["highest_cytoplasm_pressure"] = highest_pressure_;
