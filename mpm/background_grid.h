@@ -81,6 +81,10 @@ class BackgroundGrid {
   }
   /// Place of a node [m]: nodal values that are linear in it are interpolated exactly.
   Eigen::Vector3d node_position(int i, int j, int k) const;
+  Eigen::Vector3d node_position(int node) const {
+    const int layer = nodes_along_[0] * nodes_along_[1];
+    return node_position(node % nodes_along_[0], node % layer / nodes_along_[0], node / layer);
+  }
   /// 8 or 27.
   int nodes_per_cell() const { return interpolation_ == Interpolation::quadratic ? 27 : 8; }
   /// Offsets of a cell's `nodes_per_cell` nodes from its lowest one.

@@ -11,9 +11,10 @@ namespace zona::mpm {
 
 namespace {
 
-Eigen::Vector3d velocity_of(const HeldNodes& held, double time) {
+Eigen::Vector3d velocity_of(const HeldNodes& held, double time, const BackgroundGrid& grid,
+                            int node) {
   if (!held.velocity) return Eigen::Vector3d::Zero();
-  return held.velocity(time);
+  return held.velocity(time, grid.node_position(node));
 }
 
 }  // namespace
@@ -54,11 +55,12 @@ std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region) {
 
 void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& held, double time,
                 double dt, double pic) {
-  const Eigen::Vector3d before = velocity_of(held, time);
-  const Eigen::Vector3d velocity = velocity_of(held, time + dt);
   const bool jumps = held.velocity && time == 0;
   held.reaction.setZero();
+  held.power = 0;
   for (int node : nodes) {
+    const Eigen::Vector3d before = velocity_of(held, time, grid, node);
+    const Eigen::Vector3d velocity = velocity_of(held, time + dt, grid, node);
     Lanes& state = grid.state[node];
     for (int axis = 0; axis < 3; ++axis) {
       if (!held.axes[axis]) continue;
@@ -66,7 +68,9 @@ void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& 
       const double start = jumps ? state[1 + axis] - dt * free : before[axis];
       const double acceleration = (velocity[axis] - start) / dt;
       const double jump = velocity[axis] - state[1 + axis];
-      held.reaction[axis] += state[0] * ((1 - pic) * (acceleration - free) + pic * jump / dt);
+      const double force = state[0] * ((1 - pic) * (acceleration - free) + pic * jump / dt);
+      held.reaction[axis] += force;
+      held.power += force * velocity[axis];
       state[1 + axis] = velocity[axis];
       state[4 + axis] = acceleration;
     }
@@ -75,8 +79,8 @@ void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& 
 
 void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, const HeldNodes& held,
                         double time) {
-  const Eigen::Vector3d velocity = velocity_of(held, time);
   for (int node : nodes) {
+    const Eigen::Vector3d velocity = velocity_of(held, time, grid, node);
     for (int axis = 0; axis < 3; ++axis) {
       if (held.axes[axis]) grid.updated[node][axis] = velocity[axis];
     }

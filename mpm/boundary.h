@@ -49,10 +49,12 @@ void hold_updated_faces(BackgroundGrid& grid, const FaceConditions& faces);
 /// order of accuracy. Only the first step jumps to a V that does not start from rest. Later holds
 /// win where regions overlap, and over the faces.
 struct HeldNodes {
-  Box region;                                          ///< of the nodes' places
-  std::array<bool, 3> axes{true, true, true};          ///< components that are held
-  std::function<Eigen::Vector3d(double)> velocity{};   ///< of time [m/s]; empty: zero
+  Box region;                                  ///< of the nodes' places
+  std::array<bool, 3> axes{true, true, true};  ///< components that are held
+  /// [m/s], of time [s] and the node's place [m]; empty: zero
+  std::function<Eigen::Vector3d(double, const Eigen::Vector3d&)> velocity{};
   Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  ///< force on the points [N], last step
+  double power = 0;                                    ///< of that force [W]
 };
 
 /// Nodes whose places lie in the box, in ascending order. Throws ModelError if there are none.

@@ -23,6 +23,7 @@ Schema make_comparison_schema() {
   declare_fluids(schema);
   declare_pipette_tip(schema, "26441 kg/m^3");
   declare_holding_plate(schema);
+  declare_piercing_numerics(schema);
   declare_piercing_run(schema);
   check_piercing_geometry(schema);
   schema.check([](const Configuration& study, const Complain& complain) {

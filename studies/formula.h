@@ -33,6 +33,10 @@ class Formula {
   /// when it is not finite or outside the range of the declaration.
   double at(double time) const { return at_variables(&time); }
   double at(const Eigen::Vector3d& place) const { return at_variables(place.data()); }
+  double at(const Eigen::Vector3d& place, double time) const {
+    const double values[4] = {place.x(), place.y(), place.z(), time};
+    return at_variables(values);
+  }
 
  private:
   struct Evaluator;

@@ -6,6 +6,7 @@
 #include "studies/beam_parameters.h"
 #include "studies/blame.h"
 #include "studies/material_parameters.h"
+#include "studies/numerics_parameters.h"
 #include "studies/piercing_values.h"
 #include "studies/time_step.h"
 
@@ -76,6 +77,9 @@ PiercingSetup piercing_setup(const Configuration& study, double fluid_density) {
   setup.plate = {study.boolean("plate.enabled"), study.quantity("plate.side"),
                  static_cast<int>(study.integer("plate.thickness_cells")),
                  study.quantity("plate.density")};
+  setup.interpolation = interpolation_of(study.choice("numerics.interpolation"));
+  setup.average_volume_strain = study.boolean("numerics.average_volume_strain");
+  setup.numerics = numerics_from(study);
   setup.faces = PiercingSetup::all_faces(face_condition(study.choice("boundary.kind")));
   return setup;
 }

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 namespace {
 
 mpm::BackgroundGrid make_grid(const PiercingSetup& setup, const PiercingGeometry& geometry) {
-  return {Vector3d::Zero(), Vector3d::Constant(setup.cell), geometry.cells};
+  return {Vector3d::Zero(), Vector3d::Constant(setup.cell), geometry.cells, setup.interpolation};
 }
 
 bool in_wall(const mpm::Tube& tube, const Vector3d& place) {
@@ -100,6 +100,7 @@ PiercingGeometry piercing_geometry(const PiercingSetup& setup) {
 mpm::Model build_piercing(const PiercingSetup& setup) {
   const PiercingGeometry g = piercing_geometry(setup);
   mpm::Model model{make_grid(setup, g), {}, setup.faces, Vector3d::Zero()};
+  model.numerics = setup.numerics;
   const auto in_egg = [&](const Vector3d& x) { return (x - g.egg_center).norm() < g.egg_radius; };
   const auto in_medium = [&](const Vector3d& x) {
     return !in_egg(x) && !in_wall(g.tip, x) &&
@@ -112,6 +113,9 @@ mpm::Model build_piercing(const PiercingSetup& setup) {
   model.bodies.push_back(
       fluid_body("medium", setup.medium,
                  mpm::fill_cells(model.grid, per_axis(setup.medium.points_per_cell), in_medium)));
+  for (auto& body : model.bodies) {
+    body.average_volume_strain = setup.average_volume_strain && !body.membrane();
+  }
   const auto& p = setup.pipette;
   model.bodies.push_back(rigid_body("pipette",
                                     mpm::tube(g.tip, p.points[0], p.points[1], p.points[2]),

@@ -43,6 +43,10 @@ struct PiercingSetup {
     double density = 2300;
   } plate;
 
+  mpm::Interpolation interpolation = mpm::Interpolation::linear;
+  bool average_volume_strain = false;  ///< of the fluids
+  mpm::Numerics numerics;
+
   mpm::FaceConditions faces = all_faces(mpm::FaceCondition::absorbing);
 
   static mpm::FaceConditions all_faces(mpm::FaceCondition condition) {

@@ -1,6 +1,7 @@
 #include "studies/piercing_parameters.h"
 
 #include "studies/material_parameters.h"
+#include "studies/numerics_parameters.h"
 #include "studies/shared_parameters.h"
 
 namespace zona::studies {
@@ -183,6 +184,13 @@ void declare_beam_drive(Schema& schema) {
   schema.section("pulse", "The motion of the beam's support, when motion.kind = \"beam\".");
   declare_pulse_form(schema, {"triangular"});
   schema.quantity("pulse.duration", "s", "60 us").in("(0, 1]").doc("Duration of the pulse (5.4).");
+}
+
+void declare_piercing_numerics(Schema& schema) {
+  schema.section("numerics", "Choices of the scheme; the defaults are the source's.");
+  declare_interpolation(schema, "numerics.interpolation");
+  declare_volume_average(schema, "numerics.average_volume_strain");
+  declare_pic_and_damping(schema);
 }
 
 void declare_piercing_run(Schema& schema) {

@@ -14,6 +14,8 @@ void declare_pipette_tip(Schema& schema, const std::string& point_density);
 void declare_holding_plate(Schema& schema);
 void declare_window(Schema& schema);
 void declare_beam_drive(Schema& schema);
+/// Table [numerics].
+void declare_piercing_numerics(Schema& schema);
 void declare_piercing_run(Schema& schema);
 
 /// Cross-checks of the geometry, common to all piercings.

@@ -93,6 +93,7 @@ Schema make_piercing_schema() {
       .doc("The fluid, by name (Table 5.7) or by density; adds mass to the tip and to the beam.");
   declare_holding_plate(schema);
   declare_beam_drive(schema);
+  declare_piercing_numerics(schema);
   declare_piercing_run(schema);
   check_piercing_geometry(schema);
   schema.check(check_trace);

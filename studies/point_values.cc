@@ -34,7 +34,7 @@ double von_mises(const double* s) {
 void take_density(const mpm::Membrane& m, int p, PointValues& point) {
   point.value[density] = m.properties.density;
   point.value[strain] = m.strain[p];
-  point.value[damage] = 1 - m.integrity[p];
+  point.value[damage] = 1 - m.integrity.left[p];
 }
 void take_density(const mpm::Prescribed& m, int, PointValues& point) {
   point.value[density] = m.density;

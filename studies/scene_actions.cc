@@ -35,6 +35,26 @@ bool all_zero(const std::vector<Formula>& formulas) {
                      [](const Formula& formula) { return formula.constant() == 0.0; });
 }
 
+/// Velocity of held nodes, tried out at every node of the region.
+std::function<Vector3d(double, const Vector3d&)> velocity_field(const Table& table,
+                                                                const mpm::BackgroundGrid& grid,
+                                                                const mpm::Box& region) {
+  const std::vector<Formula> f = table.formulas("velocity");
+  const auto at = [f](double t, const Vector3d& x) {
+    return Vector3d(f[0].at(x, t), f[1].at(x, t), f[2].at(x, t));
+  };
+  const double end = table.study().quantity("time.end");
+  blaming(table.study(), table.key("velocity"), [&] {
+    for (const int node : mpm::nodes_in(grid, region)) {
+      for (const double t : {0.0, end / 2, end}) at(t, grid.node_position(node));
+    }
+    for (int i = 0; i <= 1000; ++i) {
+      at(end * i / 1000, grid.node_position(mpm::nodes_in(grid, region).front()));
+    }
+  });
+  return at;
+}
+
 VectorOfTime vector_of_time(const Table& table, const std::string& key) {
   const std::vector<Formula> f = table.formulas(key);
   try_out(table, key, f);
@@ -86,8 +106,10 @@ void add_holds(const Configuration& study, mpm::Model& model) {
       const std::string name(1, static_cast<char>('x' + axis));
       held.axes[axis] = std::find(axes.begin(), axes.end(), name) != axes.end();
     }
-    if (!all_zero(table.formulas("velocity"))) held.velocity = vector_of_time(table, "velocity");
     blaming(study, table.key("low"), [&] { return mpm::nodes_in(model.grid, held.region); });
+    if (!all_zero(table.formulas("velocity"))) {
+      held.velocity = velocity_field(table, model.grid, held.region);
+    }
     model.held.push_back(std::move(held));
   }
 }

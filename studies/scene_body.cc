@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "studies/blame.h"
+#include "studies/material_parameters.h"
 
 namespace zona::studies {
 
@@ -109,13 +110,40 @@ mpm::Fluid fluid_of(const Table& table, const Pieces& pieces, const std::vector<
   return fluid;
 }
 
-mpm::LinearElastic elastic_of(const Table& table, const std::vector<double>& density) {
+template <class Law>
+mpm::Solid<Law> solid_of(const Table& table, const std::vector<double>& density, const Law& law) {
   const mpm::ElasticProperties properties{*std::min_element(density.begin(), density.end()),
                                           table.quantity("youngs_modulus"),
                                           table.number("poisson_ratio")};
-  mpm::LinearElastic solid(properties, static_cast<int>(density.size()));
+  mpm::Solid<Law> solid(properties, static_cast<int>(density.size()), law);
   std::copy(density.begin(), density.end(), solid.density.begin());
   return solid;
+}
+
+mpm::VonMises plasticity_of(const Table& table, const mpm::BackgroundGrid& grid) {
+  mpm::VonMises law = von_mises_from(table, "");
+  if (table.choice("law") != "decohesion") return law;
+  law.decohesion = decohesion_from(table, "", grid.cell_size());
+  if (table.applies("bifurcation")) {
+    law.decohesion->localization = localization_of(table.choice("bifurcation"));
+  }
+  return law;
+}
+
+mpm::Material solid_material(const Table& table, const std::vector<double>& density,
+                             const mpm::BackgroundGrid& grid) {
+  const std::string& law = table.choice("law");
+  if (law == "elastic") return solid_of(table, density, mpm::Elastic{});
+  if (law == "elastodamage") return solid_of(table, density, elastodamage_from(table, ""));
+  return solid_of(table, density, plasticity_of(table, grid));
+}
+
+mpm::MembraneLaw membrane_law(const Table& table, const mpm::BackgroundGrid& grid) {
+  const std::string& law = table.choice("law");
+  if (law == "elastodamage") return elastodamage_from(table, "");
+  if (law != "elastic") return plasticity_of(table, grid);
+  if (table.choice("stress_update") == "increments") return mpm::IncrementalElastic{};
+  return mpm::Elastic{};
 }
 
 double constant_density(const Table& table) {
@@ -129,23 +157,16 @@ mpm::Body membrane_body(const Table& table, const mpm::BackgroundGrid& grid) {
   const WeightedSurface weighted = surface_points(table, grid);
   const Pieces pieces{weighted.surface.places, weighted.areas};
   check_places(table, grid, pieces);
-  const std::string& one_way = table.choice("one_way");
-  const mpm::MembraneProperties properties{constant_density(table), table.quantity("thickness"),
-                                           table.quantity("youngs_modulus"),
-                                           table.number("poisson_ratio"),
-                                           one_way == "stress"   ? mpm::OneWay::stress
-                                           : one_way == "strain" ? mpm::OneWay::strain
-                                                                 : mpm::OneWay::off};
+  const mpm::MembraneProperties properties{
+      constant_density(table), table.quantity("thickness"), table.quantity("youngs_modulus"),
+      table.number("poisson_ratio"), one_way_of(table.choice("one_way"))};
   std::vector<double> mass;
   for (double area : weighted.areas) {
     mass.push_back(properties.density * properties.thickness * area);
   }
-  mpm::MembraneLaw law = mpm::Elastic{};
-  if (table.choice("law") == "elastodamage") {
-    law = mpm::Elastodamage{table.number("c0"), table.number("c1"), table.number("elastic_limit")};
-  }
   const mpm::MaterialPoints points = points_of(table, pieces, mass);
-  mpm::Membrane membrane(properties, law, table.choice("kinematics") == "objective", points,
+  mpm::Membrane membrane(properties, membrane_law(table, grid),
+                         table.choice("kinematics") == "objective", points,
                          weighted.surface.triangles);
   return {table.name(), points, std::move(membrane), {}};
 }
@@ -167,8 +188,13 @@ mpm::Body scene_body(const Table& table, const mpm::BackgroundGrid& grid, const 
     const auto drive = table.choice("drive") == "nodes" ? mpm::Drive::nodes : mpm::Drive::points;
     return {table.name(), points, mpm::Prescribed(points, constant_density(table), {}, drive), {}};
   }
-  if (material == "elastic") return {table.name(), points, elastic_of(table, density), {}};
-  return {table.name(), points, fluid_of(table, pieces, density), {}};
+  mpm::Body body{table.name(),
+                 points,
+                 material == "solid" ? solid_material(table, density, grid)
+                                     : mpm::Material(fluid_of(table, pieces, density)),
+                 {}};
+  body.average_volume_strain = table.boolean("average_volume_strain");
+  return body;
 }
 
 }  // namespace zona::studies

@@ -1,3 +1,5 @@
+#include "studies/material_parameters.h"
+#include "studies/numerics_parameters.h"
 #include "studies/scene_parameters.h"
 
 namespace zona::studies {
@@ -9,7 +11,8 @@ const std::vector<std::string> time_only{"t"};
 const std::vector<std::string> volumes{"box", "sphere", "cylinder", "tube", "grid"};
 const std::vector<std::string> surfaces{"sheet", "disc", "icosphere"};
 const std::vector<std::string> fluids{"gas", "liquid"};
-const std::vector<std::string> deformable{"elastic", "gas", "liquid", "membrane"};
+const std::vector<std::string> stiff{"solid", "membrane"};
+const std::vector<std::string> deformable{"solid", "gas", "liquid", "membrane"};
 
 Parameter& required_point(Schema& schema, const std::string& key) {
   return schema.quantities(key, "m", {}).without_default().exactly(3).in("[-1e6, 1e6]");
@@ -105,7 +108,6 @@ void declare_shape(Schema& schema) {
 }
 
 void declare_solids(Schema& schema) {
-  const std::vector<std::string> stiff{"elastic", "membrane"};
   schema.quantity("body.youngs_modulus", "Pa", "")
       .without_default()
       .in("(0, 1e15]")
@@ -164,29 +166,32 @@ void declare_membrane(Schema& schema) {
       .doc(
           "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
           "source; or objective, from the deformation gradient of the triangles.");
-  schema.choice("body.one_way", {"stress", "strain", "off"})
-      .only_with("material", {"membrane"})
+  const EachKey of_membranes = [](Parameter& key) { key.only_with("material", {"membrane"}); };
+  declare_one_way(schema, "body.", of_membranes);
+}
+
+/// How solids and membranes yield and fail.
+void declare_laws(Schema& schema) {
+  schema.choice("body.law", {"elastic", "elastodamage", "von_mises", "decohesion"})
+      .only_with("material", stiff)
       .doc(
-          "How compression is cut off: taut, wrinkled or slack by the principal stresses; by the "
-          "principal strains, as the source does (4.24)-(4.27); or not at all.");
-  schema.choice("body.law", {"elastic", "elastodamage"})
-      .only_with("material", {"membrane"})
-      .doc("Elastic for ever, or elastodamage (5.7)-(5.11).");
-  schema.number("body.c0", 10)
-      .in("[0, 1e6]")
-      .called("c_0")
-      .only_with("law", {"elastodamage"})
-      .doc("Depth of the softening (Table 5.2), in (5.10) without its factor 2.");
-  schema.number("body.c1", 10)
-      .in("[0, 1e6]")
-      .called("c_1")
-      .only_with("law", {"elastodamage"})
-      .doc("Speed of the softening in (5.10) (Table 5.2).");
-  schema.number("body.elastic_limit", 0.05937)
-      .in("(0, 10]")
-      .called("S_L")
-      .only_with("law", {"elastodamage"})
-      .doc("Greatest principal strain without damage (Table 5.2).");
+          "Elastic for ever; elastodamage (5.7)-(5.11); von Mises plasticity (5.12)-(5.15); or "
+          "this and, where the flow localises, decohesion (5.32)-(5.42).");
+  const auto only = [](std::vector<std::string> laws) -> EachKey {
+    return [laws](Parameter& key) {
+      key.only_with("law", laws);
+      if (key.key == "body.yield_strength") key.without_default();
+    };
+  };
+  declare_elastodamage(schema, "body.", only({"elastodamage"}));
+  declare_von_mises(schema, "body.", perfect_plasticity(), only({"von_mises", "decohesion"}));
+  declare_decohesion(schema, "body.", only({"decohesion"}));
+  declare_localization(schema, "body.", [](Parameter& key) {
+    key.only_with("material", {"membrane"}).only_with("law", {"decohesion"});
+  });
+  declare_stress_update(schema, "body.", [](Parameter& key) {
+    key.only_with("material", {"membrane"}).only_with("law", {"elastic"});
+  });
 }
 
 void declare_motion_of_body(Schema& schema) {
@@ -217,9 +222,9 @@ void declare_scene_bodies(Schema& schema) {
       "stick to each other.",
       1, true);
   declare_shape(schema);
-  schema.choice("body.material", {"elastic", "gas", "liquid", "membrane", "rigid"})
+  schema.choice("body.material", {"solid", "gas", "liquid", "membrane", "rigid"})
       .doc(
-          "A linear elastic solid (3.41)-(3.42); an ideal gas (4.31); a liquid, that is a "
+          "A solid (3.41)-(3.42); an ideal gas (4.31); a liquid, that is a "
           "stiffened "
           "gas (5.1); a membrane (4.1); or a rigid body that moves as prescribed.");
   schema.formula("body.density", "kg/m^3", place, "")
@@ -230,6 +235,9 @@ void declare_scene_bodies(Schema& schema) {
   declare_solids(schema);
   declare_fluids_of_scene(schema);
   declare_membrane(schema);
+  declare_laws(schema);
+  declare_volume_average(schema, "body.average_volume_strain")
+      .only_with("material", {"solid", "gas", "liquid"});
   declare_motion_of_body(schema);
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "studies/blame.h"
+#include "studies/numerics_parameters.h"
 #include "studies/scene_actions.h"
 #include "studies/scene_body.h"
 #include "studies/solver_march.h"
@@ -28,7 +29,7 @@ mpm::BackgroundGrid make_grid(const Configuration& study) {
   for (int axis = 0; axis < 3; ++axis) {
     cells[axis] = static_cast<int>(std::lround((high[axis] - low[axis]) / cell[axis]));
   }
-  return {low, cell, cells};
+  return {low, cell, cells, interpolation_of(study.choice("grid.interpolation"))};
 }
 
 mpm::FaceConditions make_faces(const Configuration& study) {
@@ -64,7 +65,7 @@ SceneCase make_scene_case(const Configuration& study) {
   const double end = study.quantity("time.end");
   mpm::Model model{
       make_grid(study), {}, make_faces(study), vector_of(study.quantities("gravity.acceleration"))};
-  model.numerics = {study.number("numerics.pic"), study.number("numerics.damping")};
+  model.numerics = numerics_from(study);
   add_bodies(study, model);
   add_holds(study, model);
   add_loads(study, model);

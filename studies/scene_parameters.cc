@@ -1,4 +1,5 @@
 #include "studies/scene_parameters.h"
+#include "studies/numerics_parameters.h"
 
 #include <limits>
 
@@ -54,6 +55,7 @@ void declare_scene_grid(Schema& schema) {
       .or_one_for_all()
       .in("(0, 1e6]")
       .doc("Edges of a cell along x, y and z.");
+  declare_interpolation(schema, "grid.interpolation");
   declare_faces(schema);
   schema.section("gravity", "Gravity.");
   schema.quantities("gravity.acceleration", "m/s^2", {"0 m/s^2", "0 m/s^2", "0 m/s^2"})
@@ -78,14 +80,7 @@ void declare_scene_time(Schema& schema) {
       .doc(
           "Fraction of the critical step, cell / wave speed, that an \"auto\" step takes at most.");
   schema.section("numerics", "Choices of the scheme; the defaults are the source's.");
-  schema.number("numerics.pic", 0)
-      .in("[0, 1]")
-      .doc(
-          "Fraction of PIC in the points' velocity: 0 is FLIP (3.37), 1 takes all of it from the "
-          "grid and damps what the grid does not see.");
-  schema.number("numerics.damping", 0)
-      .in("[0, 1)")
-      .doc("Local non-viscous damping of the nodal forces, for problems that are to come to rest.");
+  declare_pic_and_damping(schema);
 }
 
 void declare_scene_actions(Schema& schema) {
@@ -96,10 +91,10 @@ void declare_scene_actions(Schema& schema) {
   declare_box(schema, "hold", "The box that the nodes lie in.");
   schema.choices("hold.axes", {"x", "y", "z"}, {"x", "y", "z"})
       .doc("Components of the velocity that are held; the others are free.");
-  schema.formulas("hold.velocity", "m/s", time_only, {"0", "0", "0"})
+  schema.formulas("hold.velocity", "m/s", {"x", "y", "z", "t"}, {"0", "0", "0"})
       .exactly(3)
       .in("[-1e9, 1e9]")
-      .doc("Velocity of the nodes.");
+      .doc("Velocity of the nodes, of their place and of time.");
 
   schema.list("load", "Forces on bodies.", 0, false);
   schema.choice("load.kind", {"force", "traction", "pressure"})

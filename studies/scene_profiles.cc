@@ -6,6 +6,7 @@
 #include <map>
 
 #include "studies/scene_shape.h"
+#include "studies/solver_march.h"
 
 namespace zona::studies {
 
@@ -50,6 +51,11 @@ SceneProfiles::Profile SceneProfiles::make_profile(const Table& table, const mpm
   }
   profile.times = table.is_auto("times") ? std::vector<double>{table.study().quantity("time.end")}
                                          : table.quantities("times");
+  // A run ends with its last whole step, which is what a time after it gets.
+  const double step = solver.step_size();
+  const double last =
+      static_cast<double>(step_count(table.study().quantity("time.end"), step)) * step;
+  for (double& time : profile.times) time = std::min(time, last);
   std::sort(profile.times.begin(), profile.times.end(), std::greater<>());
   return profile;
 }

@@ -21,9 +21,9 @@ struct Effort {
   Vector3d force = Vector3d::Zero();  ///< [N], last step
   double work = 0;                    ///< [J]
 
-  void add(const Vector3d& reaction, const Vector3d& velocity, double dt) {
+  void add(const Vector3d& reaction, double power, double dt) {
     force = reaction;
-    work += reaction.dot(velocity) * dt;
+    work += power * dt;
   }
 };
 
@@ -120,12 +120,12 @@ void SceneRun::follow() {
   const double dt = solver_.step_size();
   for (std::size_t b = 0; b < rigid_.size(); ++b) {
     const auto* rigid = solver_.bodies()[b].prescribed();
-    if (rigid != nullptr) rigid_[b].add(rigid->reaction, rigid->next.velocity, dt);
+    if (rigid == nullptr) continue;
+    rigid_[b].add(rigid->reaction, rigid->reaction.dot(rigid->next.velocity), dt);
   }
   for (std::size_t h = 0; h < held_.size(); ++h) {
     const mpm::HeldNodes& held = solver_.held()[h];
-    const Vector3d velocity = held.velocity ? held.velocity(solver_.time()) : Vector3d::Zero();
-    held_[h].add(held.reaction, velocity, dt);
+    held_[h].add(held.reaction, held.power, dt);
   }
   if (!profiles_.is_due(solver_)) return;
   bodies_.refresh();

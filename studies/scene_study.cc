@@ -36,9 +36,10 @@ Job prepare_scene(const Configuration& study) {
     session.directory.log(scene_cost(*scene).text);
     run_scene(*scene, session);
     const auto& r = session.results;
-    session.conclusion = fmt::format("{}{} points, {} steps, {:.1f} million point-steps/s on {} threads\n",
-               probe_table(r), r["points"].get<long>(), r["steps"].get<long>(),
-               r["point_steps_per_second"].get<double>() / 1e6, session.threads);
+    session.conclusion =
+        fmt::format("{}{} points, {} steps, {:.1f} million point-steps/s on {} threads\n",
+                    probe_table(r), r["points"].get<long>(), r["steps"].get<long>(),
+                    r["point_steps_per_second"].get<double>() / 1e6, session.threads);
   };
 }
 

@@ -14,9 +14,10 @@ namespace {
 
 std::vector<Run> piston_runs(Extent) {
   const std::string file = "verification/piston.toml";
-  return {{"absorbing", file, {}},
-          {"free", file, {"boundary.x_high=\"free\""}},
-          {"whole-tube", "verification/piston_whole.toml", {}}};
+  return {
+      {"absorbing", file, {}},
+      {"free", file, {"boundary.x_high=\"free\"", "grid.high=[\"0.9 m\", \"10 mm\", \"10 mm\"]"}},
+      {"whole-tube", "verification/piston_whole.toml", {}}};
 }
 
 Curve stress_curve(const RunResults& run, const std::string& label) {
@@ -51,20 +52,20 @@ Evaluation evaluate_piston(const CaseResults& results, Extent) {
   for (const std::string label : {"absorbing", "whole-tube", "free"}) {
     panel.curves.push_back(stress_curve(results[label], label));
   }
-  panel.curves.push_back({"exact", {0, 200}, {exact, exact}, Style::reference});
+  panel.curves.push_back({"exact", {0, 500}, {exact, exact}, Style::reference});
   for (const int i : {0, 1}) {
     evaluation.checks.push_back(
         near("mean stress since the front's arrival [MPa], " + panel.curves[i].label,
-             mean(panel.curves[i], 20, 200), exact, 0.03,
+             mean(panel.curves[i], 57, 500), exact, 0.03,
              "the soft piston spans few cells: the stress rings, its mean "
              "errs by the last, incomplete period"));
   }
   evaluation.checks.push_back(at_most(
       "difference of the means with and without the tube behind the face, over the stress",
-      std::abs(mean(panel.curves[0], 100, 200) - mean(panel.curves[1], 100, 200)) / std::abs(exact),
+      std::abs(mean(panel.curves[0], 57, 500) - mean(panel.curves[1], 57, 500)) / std::abs(exact),
       0.02, "what an absorbing face may send back"));
   evaluation.checks.push_back(told("mean stress with a free face [MPa]",
-                                   mean(panel.curves[2], 100, 200), "0",
+                                   mean(panel.curves[2], 300, 500), "0",
                                    "all of the wave comes back"));
   evaluation.figures.push_back({"stress", "Figure 5.13: stress at p.", {panel}, {}});
   evaluation.remarks = {
@@ -121,8 +122,9 @@ Evaluation evaluate_oblique(const CaseResults& results, Extent) {
     const double to_listener =
         1.3 * std::cos(radians) + 0.3 * std::tan(radians) * std::sin(radians);
     const double parting = (to_listener + 0.3 * std::cos(radians)) / water_speed();
+    const double over = parting + 0.6 * std::cos(radians) / water_speed();  // before edges matter
     double incident = 0, reflected = 0;
-    for (std::size_t i = 0; i < t.size(); ++i) {
+    for (std::size_t i = 0; i < t.size() && t[i] < over; ++i) {
       double& largest = t[i] < parting ? incident : reflected;
       if (std::abs(p[i]) > std::abs(largest)) largest = p[i];
     }

@@ -4,10 +4,29 @@ namespace zona::studies::verification {
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
-      impact(),         sod_tube(),
-      piston(),           oblique_wave(), injection(),
-      pipette_frequencies(), support_motion(), pipette_amplitude(), inflated_sphere(), hencky(),
-      stokes(), couette(), 
+      impact(),
+      bar_wave(),
+      shock_tube(),
+      sod_tube(),
+      net(),
+      gas_box(),
+      piston(),
+      oblique_wave(),
+      injection(),
+      piercing_lateral(),
+      piercing_axial(),
+      pipette_frequencies(),
+      support_motion(),
+      pipette_amplitude(),
+      membrane_strip(),
+      membrane_shear(),
+      inflated_sphere(),
+      hencky(),
+      membrane_bending(),
+      stokes(),
+      couette(),
+      standing_wave(),
+      free_fall(),
   };
   return all;
 }

@@ -15,11 +15,20 @@ std::string cell_override(double millimetres) {
   return fmt::format("grid.cell=\"{} mm\"", millimetres);
 }
 
+/// The time in a table that is nearest to a wanted one: profiles are written at whole steps.
+double nearest_time(const ResultTable& table, double wanted) {
+  double nearest = table["time"].front();
+  for (const double time : table["time"]) {
+    if (std::abs(time - wanted) < std::abs(nearest - wanted)) nearest = time;
+  }
+  return nearest;
+}
+
 /// x velocity over height at one time of profiles.csv, as a curve.
 Curve velocity_profile(const ResultTable& table, double time, const std::string& label) {
   Curve curve{label, {}, {}, Style::points};
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (std::abs(table["time"][i] - time) > 0.02 * time) continue;
+    if (table["time"][i] != time) continue;
     curve.x.push_back(table["velocity_x"][i]);
     curve.y.push_back(table["position_y"][i]);
   }
@@ -65,19 +74,20 @@ Evaluation evaluate_wall(const CaseResults& results, const WallFlow& flow, Exten
   for (const double cell : cells) {
     const ResultTable table = results[fmt::format("cell-{}", cell)].table("profiles.csv");
     double error = 0;
-    for (const double time : flow.times) {
+    for (const double wanted : flow.times) {
+      const double time = nearest_time(table, wanted);
       const auto exact = [&](double y) { return flow.exact(y, time); };
       Curve computed = velocity_profile(table, time, "");
       error += profile_error(computed, wall.speed, exact) / static_cast<double>(flow.times.size());
       if (cell != cells.back()) continue;
-      Curve reference{time == flow.times.front() ? "exact" : "", {}, {}, Style::reference};
+      Curve reference{wanted == flow.times.front() ? "exact" : "", {}, {}, Style::reference};
       for (int i = 0; i <= 200; ++i) {
         reference.x.push_back(exact(i * 5e-6) / wall.speed);
         reference.y.push_back(i * 5e-3);
       }
       for (double& v : computed.x) v /= wall.speed;
       for (double& y : computed.y) y *= 1e3;
-      computed.label = fmt::format("{:g} s", time);
+      computed.label = fmt::format("{:g} s", wanted);
       panel.curves.push_back(std::move(reference));
       panel.curves.push_back(std::move(computed));
     }
