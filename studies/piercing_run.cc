@@ -11,6 +11,7 @@
 #include "mpm/diagnostics.h"
 #include "mpm/errors.h"
 #include "studies/damage.h"
+#include "studies/decohesion_results.h"
 #include "studies/history_file.h"
 #include "studies/interrupt.h"
 #include "studies/piercing_frames.h"
@@ -228,6 +229,9 @@ nlohmann::json PiercingRun::results() const {
   r["failed_area"] = damage_.failed_area;
   r["time_of_first_failure"] =
       std::isfinite(first_failure) ? nlohmann::json(first_failure) : nlohmann::json();
+  if (const auto* plastic = std::get_if<mpm::MembraneState<mpm::VonMises>>(&zona.state)) {
+    r["decohesion"] = decohesion_results(*plastic);
+  }
   r["largest_strain_away"] = meter_.peak_strain_away();
   r["largest_displacement_away"] = meter_.peak_displacement_away();
   r["highest_cytoplasm_pressure"] = highest_pressure_;
