@@ -9,17 +9,20 @@
 namespace zona::mpm {
 
 BackgroundGrid::BackgroundGrid(const Eigen::Vector3d& origin, const Eigen::Vector3d& cell_size,
-                               const std::array<int, 3>& cells)
-    : origin_(origin), cell_size_(cell_size), cells_(cells) {
+                               const std::array<int, 3>& cells, Interpolation interpolation)
+    : origin_(origin), cell_size_(cell_size), cells_(cells), interpolation_(interpolation) {
+  const int per_axis = interpolation == Interpolation::quadratic ? 3 : 2;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(cell_size[axis] > 0) || cells[axis] < 1) {
       throw ModelError(fmt::format("a grid needs cells of positive size, got {} cells of {} m",
                                    cells[axis], cell_size[axis]));
     }
-    nodes_along_[axis] = cells[axis] + 1;
+    nodes_along_[axis] = cells[axis] + per_axis - 1;
     bricks_along_[axis] = (cells[axis] + Brick::edge - 1) / Brick::edge;
   }
-  for (int n = 0; n < 8; ++n) node_offsets_[n] = node_index(n & 1, (n >> 1) & 1, (n >> 2) & 1);
+  for (int n = 0; n < nodes_per_cell(); ++n) {
+    node_offsets_[n] = node_index(n % per_axis, n / per_axis % per_axis, n / (per_axis * per_axis));
+  }
   for (int k = 0; k < bricks_along_[2]; ++k) {
     for (int j = 0; j < bricks_along_[1]; ++j) {
       for (int i = 0; i < bricks_along_[0]; ++i) {
@@ -40,6 +43,15 @@ BackgroundGrid::BackgroundGrid(const Eigen::Vector3d& origin, const Eigen::Vecto
 
 Eigen::Vector3d BackgroundGrid::upper_corner() const {
   return origin_ + cell_size_.cwiseProduct(Eigen::Vector3d(cells_[0], cells_[1], cells_[2]));
+}
+
+Eigen::Vector3d BackgroundGrid::node_position(int i, int j, int k) const {
+  Eigen::Vector3d cells(i, j, k);
+  if (interpolation_ == Interpolation::quadratic) {
+    for (int axis = 0; axis < 3; ++axis)
+      cells[axis] = std::clamp(cells[axis] - 0.5, 0.0, static_cast<double>(cells_[axis]));
+  }
+  return origin_ + cell_size_.cwiseProduct(cells);
 }
 
 std::array<int, 3> BackgroundGrid::cell_at(double x, double y, double z) const {

@@ -19,6 +19,12 @@ enum class FaceCondition {
 /// Conditions on the six faces: x low, x high, y low, y high, z low, z high.
 using FaceConditions = std::array<FaceCondition, 6>;
 
+/// Shape functions of the grid.
+enum class Interpolation {
+  linear,    ///< trilinear, eight nodes a cell, as in the source
+  quadratic  ///< quadratic B-splines, 27 nodes a cell: the gradient is continuous between cells
+};
+
 /// A cuboid of up to `edge`^3 cells: what one thread works on at a time. Bricks of one colour share
 /// no node, so threads scatter to the grid without atomics, and every sum is added in one order.
 struct Brick {
@@ -31,21 +37,28 @@ struct Brick {
 /// Nodes lighter than this [kg] are not solved (section 3.2).
 inline constexpr double smallest_nodal_mass = 1e-30;
 
-/// The Eulerian background grid of section 3.2: cuboid cells with eight nodes each.
+/// The Eulerian background grid of section 3.2: cuboid cells and the nodes of their shape
+/// functions.
 ///
 /// A node holds eight numbers, one cache line: mass, momentum (3), force (3), mass times wave
-/// speed. Once the momentum is advanced they are mass, velocity at k+1 (3), acceleration (3). Node
-/// n of a cell lies at the corner whose x, y, z offsets are the bits 0, 1, 2 of n.
+/// speed. Once the momentum is advanced they are mass, velocity at k+1 (3), acceleration (3).
+///
+/// Linear: node n of a cell lies at the corner whose x, y, z offsets are the bits 0, 1, 2 of n.
+/// Quadratic: node n of a cell has the offsets n % 3, n / 3 % 3, n / 9, so there is one node more
+/// than cells on either side of an axis. Nodes stand for B-splines; as their places count the
+/// Greville points, the middles of the cells and the faces of the grid.
 class BackgroundGrid {
  public:
   /// `origin` is the lowest corner [m], `cell_size` the cell's edges [m]. Throws ModelError for an
   /// empty grid or a cell size that is not positive.
   BackgroundGrid(const Eigen::Vector3d& origin, const Eigen::Vector3d& cell_size,
-                 const std::array<int, 3>& cells);
+                 const std::array<int, 3>& cells,
+                 Interpolation interpolation = Interpolation::linear);
 
   const Eigen::Vector3d& origin() const { return origin_; }
   const Eigen::Vector3d& cell_size() const { return cell_size_; }
   const std::array<int, 3>& cells() const { return cells_; }
+  Interpolation interpolation() const { return interpolation_; }
   const std::array<int, 3>& nodes_along() const { return nodes_along_; }
   Eigen::Vector3d upper_corner() const;
   double cell_volume() const { return cell_size_.prod(); }
@@ -66,12 +79,12 @@ class BackgroundGrid {
   int node_index(int i, int j, int k) const {
     return (k * nodes_along_[1] + j) * nodes_along_[0] + i;
   }
-  /// Place of a node [m].
-  Eigen::Vector3d node_position(int i, int j, int k) const {
-    return origin_ + cell_size_.cwiseProduct(Eigen::Vector3d(i, j, k));
-  }
-  /// Offsets of a cell's eight nodes from its lowest one.
-  const std::array<int, 8>& node_offsets() const { return node_offsets_; }
+  /// Place of a node [m]: nodal values that are linear in it are interpolated exactly.
+  Eigen::Vector3d node_position(int i, int j, int k) const;
+  /// 8 or 27.
+  int nodes_per_cell() const { return interpolation_ == Interpolation::quadratic ? 27 : 8; }
+  /// Offsets of a cell's `nodes_per_cell` nodes from its lowest one.
+  const std::array<int, 27>& node_offsets() const { return node_offsets_; }
 
   void clear();
 
@@ -84,9 +97,10 @@ class BackgroundGrid {
   Eigen::Vector3d origin_;
   Eigen::Vector3d cell_size_;
   std::array<int, 3> cells_;
+  Interpolation interpolation_;
   std::array<int, 3> nodes_along_;
   std::array<int, 3> bricks_along_;
-  std::array<int, 8> node_offsets_;
+  std::array<int, 27> node_offsets_{};
   std::vector<Brick> bricks_;
   std::array<std::vector<int>, 8> by_colour_;
 };

@@ -2,6 +2,11 @@
 
 namespace zona::mpm {
 
+bool Body::can_average() const {
+  return std::visit([](const auto& m) { return can_average_volume<std::decay_t<decltype(m)>>; },
+                    material);
+}
+
 double Body::wave_speed() const {
   return std::visit([](const auto& m) { return m.wave_speed(); }, material);
 }

@@ -14,15 +14,25 @@ namespace zona::mpm {
 /// What a body is made of: chosen once per body and brick, never per point.
 using Material = std::variant<Fluid, LinearElastic, Membrane, Prescribed>;
 
+/// Whether a material has a volumetric strain that can be averaged over cells: fluids and solids.
+template <class M>
+inline constexpr bool can_average_volume = M::has_stress && !std::is_same_v<M, Membrane>;
+
 /// Material points of one material.
 struct Body {
   std::string name;
   MaterialPoints points;
   Material material;
   CellIndex cells;
+  /// Fluids and 3D solids: every point of a cell takes the mean volumetric strain rate of the
+  /// body's points there, by volume, and they push with their mean spherical stress (B-bar). One
+  /// cell then constrains the volume once, not once per point: an almost incompressible body does
+  /// not lock, and its points do not hold pressures that the grid does not see.
+  bool average_volume_strain = false;
 
   const Membrane* membrane() const { return std::get_if<Membrane>(&material); }
   const Prescribed* prescribed() const { return std::get_if<Prescribed>(&material); }
+  bool can_average() const;
   double wave_speed() const;
   double shear_wave_speed() const;
   /// Stores the points in the order in which the step walks them. Membranes stay as they are.

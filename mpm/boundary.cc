@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "mpm/cell.h"
 #include "mpm/errors.h"
-#include "mpm/shape_functions.h"
 
 namespace zona::mpm {
 
@@ -87,7 +87,8 @@ void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces) {
   for (int face = 0; face < 6; ++face) {
     if (faces[face] != FaceCondition::absorbing) continue;
     const int normal = face / 2;
-    const double per_length = 2 / grid.cell_size()[normal];
+    const double share = grid.interpolation() == Interpolation::quadratic ? 3 : 2;
+    const double per_length = share / grid.cell_size()[normal];
     for_each_node(grid, face, [&](int node) {
       Lanes& state = grid.state[node];
       if (!(state[0] > smallest_nodal_mass)) return;
@@ -104,8 +105,8 @@ std::vector<int> touched_nodes(const BackgroundGrid& grid, const CellIndex& cell
   for (std::size_t b = 0; b < grid.bricks().size(); ++b) {
     for_each_cell(grid, static_cast<int>(b), cells.brick(static_cast<int>(b)),
                   [&](const Cell& cell, const int*, const int*, int) {
-                    for (int offset : grid.node_offsets())
-                      nodes.push_back(cell.first_node + offset);
+                    for (int n = 0; n < grid.nodes_per_cell(); ++n)
+                      nodes.push_back(cell.first_node + grid.node_offsets()[n]);
                   });
   }
   std::sort(nodes.begin(), nodes.end());

@@ -71,8 +71,8 @@ void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, con
 ///
 /// The source lets the points of the outermost layer act, (5.52)-(5.55), which puts half of the
 /// traction one cell inside and takes the velocity half a cell away: it sends back a fraction of
-/// order k h. On the face itself, where rho dS is 2 m_i / h for the lumped mass m_i, it is of order
-/// (k h)^2.
+/// order k h. On the face itself, where rho dS is 2 m_i / h for the lumped mass m_i (3 m_i / h for
+/// quadratic functions, as the outermost one holds a third of its cell), it is of order (k h)^2.
 void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces);
 
 /// Nodes that the points of a body touch, each once, in ascending order.

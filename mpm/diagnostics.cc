@@ -1,6 +1,7 @@
 #include "mpm/diagnostics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "mpm/errors.h"
@@ -83,7 +84,12 @@ PressureRange cell_averaged_pressure(const Body& body) {
   const auto* fluid = std::get_if<Fluid>(&body.material);
   if (!fluid) throw ModelError("body '" + body.name + "' is no fluid: it has no pressure");
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  PressureRange range{infinity, -infinity};
+  const auto pressure = [&](int p) {
+    return -(fluid->stress[0][p] + fluid->stress[1][p] + fluid->stress[2][p]) / 3;
+  };
+  PressureRange range{infinity, -infinity, 0};
+  double squares = 0;
+  double whole = 0;
   for (int b = 0; b < body.cells.brick_count(); ++b) {
     const BrickPoints& brick = body.cells.brick(b);
     for (int c = 0; c < Brick::cell_count; ++c) {
@@ -93,13 +99,20 @@ PressureRange cell_averaged_pressure(const Body& body) {
       for (int n = brick.begin[c]; n < brick.begin[c + 1]; ++n) {
         const int p = brick.points[n];
         const double v = body.points.mass[p] / fluid->density[p];
-        force -= v * (fluid->stress[0][p] + fluid->stress[1][p] + fluid->stress[2][p]) / 3;
+        force += v * pressure(p);
         volume += v;
       }
+      for (int n = brick.begin[c]; n < brick.begin[c + 1]; ++n) {
+        const int p = brick.points[n];
+        squares +=
+            body.points.mass[p] / fluid->density[p] * std::pow(pressure(p) - force / volume, 2);
+      }
+      whole += volume;
       range.lowest = std::min(range.lowest, force / volume);
       range.highest = std::max(range.highest, force / volume);
     }
   }
+  range.scatter = whole > 0 ? std::sqrt(squares / whole) : 0;
   return range;
 }
 

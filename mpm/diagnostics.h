@@ -39,6 +39,7 @@ double specific_energy(const Body& body, int p);
 struct PressureRange {
   double lowest;
   double highest;
+  double scatter;  ///< root mean square, by volume, of the points about their cell's average [Pa]
 };
 PressureRange cell_averaged_pressure(const Body& fluid_body);
 

@@ -1,29 +1,11 @@
 #pragma once
 
+#include "mpm/cell.h"
 #include "mpm/prescribed.h"
-#include "mpm/shape_functions.h"
 #include "mpm/velocity_gradient.h"
+#include "mpm/volume_average.h"
 
 namespace zona::mpm {
-
-/// Velocity and acceleration of the grid within one cell, as coefficients: [coefficient][field],
-/// fields as in BackgroundGrid::state.
-struct CellField {
-  alignas(64) double c[8][lane_count];
-
-  CellField(const BackgroundGrid& grid, const Cell& cell) {
-    Lanes node[8];
-    for (int n = 0; n < 8; ++n) node[n] = grid.state[cell.first_node + grid.node_offsets()[n]];
-    trilinear::to_coefficients(node);
-    for (int n = 0; n < 8; ++n) store(c[n], node[n]);
-  }
-  Lanes velocity(int axis, const std::array<Lanes, 3>& natural) const {
-    return trilinear::interpolate(&c[0][1 + axis], lane_count, natural);
-  }
-  Lanes acceleration(int axis, const std::array<Lanes, 3>& natural) const {
-    return trilinear::interpolate(&c[0][4 + axis], lane_count, natural);
-  }
-};
 
 /// Lists the points of a group that left the cell.
 inline void note_departures(const PointGroup& group, const std::array<Lanes, 3>& natural,
@@ -40,7 +22,7 @@ inline void note_departures(const PointGroup& group, const std::array<Lanes, 3>&
 
 /// Velocities and positions at k+1 of a group of points, from the grid (3.34)-(3.37).
 struct FreeMotion {
-  template <class Material>
+  template <class Material, class CellField>
   void operator()(Material&, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
                   std::array<Lanes, 3>& velocity, std::array<Lanes, 3>& position) const {
@@ -57,7 +39,7 @@ struct FreeMotion {
 struct BlendedMotion {
   double pic;
 
-  template <class Material>
+  template <class Material, class CellField>
   void operator()(Material& material, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
                   std::array<Lanes, 3>& velocity, std::array<Lanes, 3>& position) const {
@@ -74,6 +56,7 @@ struct PrescribedMotion {
   BlendedMotion unhindered;
   Eigen::Vector3d& impulse;
 
+  template <class CellField>
   void operator()(const Prescribed& material, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
                   std::array<Lanes, 3>& velocity, std::array<Lanes, 3>& position) const {
@@ -91,12 +74,13 @@ struct PrescribedMotion {
 };
 
 /// Moves the points of one cell and maps their new momentum back to the nodes (3.34)-(3.38).
-template <class Material, class Motion>
-inline void gather_cell(Material& material, MaterialPoints& points, const Cell& cell,
-                        const int* begin, const int* end, int cell_in_brick, double dt,
-                        const Motion& motion, BrickPoints& brick_points, BackgroundGrid& grid) {
-  const CellField field(grid, cell);
-  Lanes momentum[8]{};
+template <class Shape, class Material, class Motion>
+[[gnu::flatten]] inline void gather_cell(Material& material, MaterialPoints& points,
+                                         const Cell& cell, const int* begin, const int* end,
+                                         int cell_in_brick, double dt, const Motion& motion,
+                                         BrickPoints& brick_points, BackgroundGrid& grid) {
+  const typename Shape::CellField field(grid, cell);
+  typename Shape::VectorSums momentum(grid, cell);
   for_each_group(begin, end, [&](const PointGroup& group) {
     std::array<Lanes, 3> position = group.load(points.position);
     const auto natural = cell.natural(position);
@@ -106,44 +90,48 @@ inline void gather_cell(Material& material, MaterialPoints& points, const Cell& 
     group.store(points.next_position, position);
     note_departures(group, cell.natural(position), cell_in_brick, brick_points);
 
-    alignas(64) double at[6][lane_count];
+    PointVectors at;
     const Lanes mass = group.load(points.mass);
     for (int axis = 0; axis < 3; ++axis) {
-      store(at[axis], natural[axis]);
-      store(at[3 + axis], mass * velocity[axis]);
+      store(at.natural[axis], natural[axis]);
+      store(at.vector[axis], mass * velocity[axis]);
     }
-    for (int p = 0; p < group.count(); ++p) {
-      const auto n = trilinear::factors(at[0][p], at[1][p], at[2][p]);
-      const Lanes shape = n.x * n.y * n.z;
-      for (int axis = 0; axis < 3; ++axis) momentum[axis] += at[3 + axis][p] * shape;
-    }
+    for (int p = 0; p < group.count(); ++p) momentum.add(at, p);
   });
-  transpose(momentum);
-  for (int n = 0; n < 8; ++n) {
-    grid.updated[cell.first_node + grid.node_offsets()[n]] +=
-        __builtin_shufflevector(momentum[n], momentum[n], 0, 1, 2, 3);
-  }
+  momentum.for_each_node(cell, grid,
+                         [&](int node, const HalfLanes& sum) { grid.updated[node] += sum; });
 }
 
-/// Velocity gradient of the updated nodal velocities (3.40) at the points of one cell.
-struct CellGradient {
-  alignas(64) double c[8][4];
-  std::array<double, 3> inverse;
+/// Mean divergence [1/s] over the points of a cell, by volume.
+template <class Material, class CellGradient>
+inline double mean_divergence(const Material& material, const MaterialPoints& points,
+                              const Cell& cell, const CellGradient& gradient, const int* begin,
+                              const int* end) {
+  return volume_average(material, points, begin, end, [&](const PointGroup& group) {
+    return divergence(gradient.at(cell.natural(group.load(points.position))));
+  });
+}
 
-  CellGradient(const BackgroundGrid& grid, const Cell& cell) : inverse(cell.inverse) {
-    HalfLanes node[8];
-    for (int n = 0; n < 8; ++n) node[n] = grid.updated[cell.first_node + grid.node_offsets()[n]];
-    trilinear::to_coefficients(node);
-    __builtin_memcpy(c, node, sizeof(c));
-  }
-  VelocityGradient at(const std::array<Lanes, 3>& natural) const {
-    VelocityGradient gradient;
-    for (int i = 0; i < 3; ++i) {
-      gradient[i] = trilinear::derivatives(&c[0][i], 4, natural);
-      for (int j = 0; j < 3; ++j) gradient[i][j] *= inverse[j];
+/// Strains the points of one cell and updates their stress (3.40)-(3.42), with their mean
+/// volumetric strain rate if `averaged`. Adds to `bad` the points whose state lost its meaning.
+template <class Shape, bool averaged, class Material>
+[[gnu::flatten]] inline void update_cell(Material& material, const MaterialPoints& points,
+                                         const Cell& cell, const int* begin, const int* end,
+                                         double dt, const BackgroundGrid& grid,
+                                         std::vector<int>& bad) {
+  const double length = grid.characteristic_length();
+  const typename Shape::CellGradient gradient(grid, cell);
+  double mean = 0;
+  if constexpr (averaged) mean = mean_divergence(material, points, cell, gradient, begin, end);
+  for_each_group(begin, end, [&](const PointGroup& group) {
+    VelocityGradient l = gradient.at(cell.natural(group.load(points.position)));
+    if constexpr (averaged) l = with_divergence(l, mean);
+    const LaneMask failed = material.update(group, l, dt, length);
+    if (!any(failed, group.count())) return;
+    for (int lane = 0; lane < group.count(); ++lane) {
+      if (failed[lane]) bad.push_back(group[lane]);
     }
-    return gradient;
-  }
-};
+  });
+}
 
 }  // namespace zona::mpm

@@ -53,23 +53,34 @@ Eigen::Vector3d area_vector(const Surface& surface, const MaterialPoints& points
   return sum;
 }
 
-/// Adds force(point) of the points of a brick to the nodes of their cells.
+/// Adds force(point) of the points of a cell to its nodes.
+template <class Shape, class Force>
+void add_to_nodes(const MaterialPoints& points, const Cell& cell, const int* begin, const int* end,
+                  BackgroundGrid& grid, Force force) {
+  typename Shape::VectorSums sums(grid, cell);
+  for_each_group(begin, end, [&](const PointGroup& group) {
+    PointVectors at;
+    const auto natural = cell.natural(group.load(points.position));
+    for (int axis = 0; axis < 3; ++axis) store(at.natural[axis], natural[axis]);
+    for (int p = 0; p < group.count(); ++p) {
+      const Eigen::Vector3d f = force(group[p]);
+      for (int axis = 0; axis < 3; ++axis) at.vector[axis][p] = f[axis];
+      sums.add(at, p);
+    }
+  });
+  sums.for_each_node(cell, grid, [&](int node, const HalfLanes& sum) {
+    grid.state[node] += Lanes{0, 0, 0, 0, sum[0], sum[1], sum[2], 0};
+  });
+}
+
 template <class Force>
 void add_to_nodes(const Body& body, int b, BackgroundGrid& grid, Force force) {
-  for_each_cell(grid, b, body.cells.brick(b),
-                [&](const Cell& cell, const int* begin, const int* end, int) {
-                  Lanes sum[3]{};
-                  for (const int* p = begin; p < end; ++p) {
-                    const Eigen::Vector3d f = force(*p);
-                    const auto s = cell.natural(body.points.position_of(*p));
-                    const auto n = trilinear::factors(s[0], s[1], s[2]);
-                    for (int i = 0; i < 3; ++i) sum[i] += f[i] * (n.x * n.y * n.z);
-                  }
-                  for (int n = 0; n < 8; ++n) {
-                    grid.state[cell.first_node + grid.node_offsets()[n]] +=
-                        Lanes{0, 0, 0, 0, sum[0][n], sum[1][n], sum[2][n], 0};
-                  }
-                });
+  with_shape_functions(grid, [&](auto shape) {
+    for_each_cell(grid, b, body.cells.brick(b),
+                  [&](const Cell& cell, const int* begin, const int* end, int) {
+                    add_to_nodes<decltype(shape)>(body.points, cell, begin, end, grid, force);
+                  });
+  });
 }
 
 }  // namespace

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "mpm/errors.h"
-#include "mpm/gather.h"
-#include "mpm/scatter.h"
+#include "mpm/stages.h"
 
 namespace zona::mpm {
 
@@ -43,6 +42,10 @@ Solver::Solver(Model model, double step, int threads)
     throw ModelError(fmt::format("the fraction of PIC must lie in [0, 1], got {}", pic));
   if (threads < 1) throw ModelError(fmt::format("at least one thread is needed, got {}", threads));
   for (auto& body : model_.bodies) {
+    if (body.average_volume_strain && !body.can_average()) {
+      throw ModelError(
+          fmt::format("body '{}' has no volumetric strain that could be averaged", body.name));
+    }
     const int outside = body.cells.build(model_.grid, body.points.position);
     if (outside >= 0) fail_at(body, outside, "a point lies outside the grid");
     body.reorder_as_walked();
@@ -133,19 +136,10 @@ void Solver::scatter() {
     }
     for_coloured_bricks([this](int b) {
       for (const auto& body : model_.bodies) {
-        if (body.cells.brick(b).empty()) continue;
-        std::visit([&](const auto& material) { scatter_brick(material, body, b); }, body.material);
+        if (!body.cells.brick(b).empty()) scatter_brick(body, b, model_.grid);
       }
     });
   }
-}
-
-template <class Material>
-void Solver::scatter_brick(const Material& material, const Body& body, int b) {
-  for_each_cell(model_.grid, b, body.cells.brick(b),
-                [&](const Cell& cell, const int* begin, const int* end, int) {
-                  scatter_cell(material, body.points, cell, begin, end, model_.grid);
-                });
 }
 
 void Solver::add_loads() {
@@ -185,31 +179,12 @@ void Solver::advance_momentum() {
   damping_.apply(grid, model_.bodies, dt_, threads_);
 }
 
-template <class Material>
-void Solver::gather_brick(Material& material, Body& body, int b) {
-  const auto gather = [&](const auto& motion) {
-    for_each_cell(model_.grid, b, body.cells.brick(b),
-                  [&](const Cell& cell, const int* begin, const int* end, int c) {
-                    gather_cell(material, body.points, cell, begin, end, c, dt_, motion,
-                                body.cells.brick(b), model_.grid);
-                  });
-  };
-  if constexpr (std::is_same_v<Material, Prescribed>) {
-    material.brick_impulse[b].setZero();
-    gather(PrescribedMotion{{model_.numerics.pic}, material.brick_impulse[b]});
-  } else if (model_.numerics.pic > 0) {
-    gather(BlendedMotion{model_.numerics.pic});
-  } else {
-    gather(FreeMotion{});
-  }
-}
-
 void Solver::gather_and_map_back() {
 #pragma omp parallel num_threads(threads_)
   for_coloured_bricks([this](int b) {
     for (auto& body : model_.bodies) {
-      if (body.cells.brick(b).empty()) continue;
-      std::visit([&](auto& material) { gather_brick(material, body, b); }, body.material);
+      if (!body.cells.brick(b).empty())
+        gather_brick(body, b, dt_, model_.numerics.pic, model_.grid);
     }
   });
   for (auto& body : model_.bodies) {
@@ -241,37 +216,15 @@ void Solver::apply_essential_conditions_again() {
   }
 }
 
-template <class Material>
-void Solver::update_brick(Material& material, Body& body, int b) {
-  const double length = model_.grid.characteristic_length();
-  for_each_cell(
-      model_.grid, b, body.cells.brick(b),
-      [&](const Cell& cell, const int* begin, const int* end, int) {
-        const CellGradient gradient(model_.grid, cell);
-        for_each_group(begin, end, [&](const PointGroup& group) {
-          const auto natural = cell.natural(group.load(body.points.position));
-          const LaneMask bad = material.update(group, gradient.at(natural), dt_, length);
-          if (!any(bad, group.count())) return;
-#pragma omp critical
-          for (int l = 0; l < group.count(); ++l) {
-            if (bad[l])
-              bad_points_.push_back({static_cast<int>(&body - model_.bodies.data()), group[l]});
-          }
-        });
-      });
-}
-
 void Solver::update_stress() {
 #pragma omp parallel num_threads(threads_)
   for_coloured_bricks([this](int b) {
     for (auto& body : model_.bodies) {
       if (body.cells.brick(b).empty()) continue;
-      std::visit(
-          [&](auto& material) {
-            using M = std::decay_t<decltype(material)>;
-            if constexpr (M::has_stress) update_brick(material, body, b);
-          },
-          body.material);
+      const std::vector<int> bad = update_brick(body, b, dt_, model_.grid);
+      if (bad.empty()) continue;
+#pragma omp critical
+      for (int p : bad) bad_points_.push_back({static_cast<int>(&body - model_.bodies.data()), p});
     }
   });
   if (!bad_points_.empty()) {

@@ -68,12 +68,6 @@ class Solver {
   /// the same bricks, side by side in space, so that their points stay in its caches.
   template <class F>
   void for_coloured_bricks(F f);
-  template <class Material>
-  void scatter_brick(const Material& material, const Body& body, int b);
-  template <class Material>
-  void gather_brick(Material& material, Body& body, int b);
-  template <class Material>
-  void update_brick(Material& material, Body& body, int b);
   [[noreturn]] void fail_at(const Body& body, int point, const std::string& what) const;
 
   Model model_;

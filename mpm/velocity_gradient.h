@@ -23,6 +23,17 @@ inline Lanes trace(const SymmetricTensorLanes& a) {
   return a[0] + a[1] + a[2];
 }
 
+inline Lanes divergence(const VelocityGradient& l) {
+  return l[0][0] + l[1][1] + l[2][2];
+}
+
+/// The same gradient with another divergence; deviator and spin stay.
+inline VelocityGradient with_divergence(VelocityGradient l, double other) {
+  const Lanes change = (other - divergence(l)) / 3.0;
+  for (int i = 0; i < 3; ++i) l[i][i] += change;
+  return l;
+}
+
 /// a : b
 inline Lanes contract(const SymmetricTensorLanes& a, const SymmetricTensorLanes& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);

@@ -1,0 +1,35 @@
+#include "mpm/scatter.h"
+
+#include "mpm/shape_functions.h"
+#include "mpm/stages.h"
+
+namespace zona::mpm {
+
+namespace {
+
+template <class Shape, bool averaged, class Material>
+void scatter_cells(const Material& material, const Body& body, int b, BackgroundGrid& grid) {
+  for_each_cell(grid, b, body.cells.brick(b),
+                [&](const Cell& cell, const int* begin, const int* end, int) {
+                  scatter_cell<Shape, averaged>(material, body.points, cell, begin, end, grid);
+                });
+}
+
+}  // namespace
+
+void scatter_brick(const Body& body, int b, BackgroundGrid& grid) {
+  with_shape_functions(grid, [&](auto shape) {
+    using Shape = decltype(shape);
+    std::visit(
+        [&](const auto& material) {
+          if constexpr (can_average_volume<std::decay_t<decltype(material)>>) {
+            if (body.average_volume_strain)
+              return scatter_cells<Shape, true>(material, body, b, grid);
+          }
+          scatter_cells<Shape, false>(material, body, b, grid);
+        },
+        body.material);
+  });
+}
+
+}  // namespace zona::mpm
