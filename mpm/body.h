@@ -4,15 +4,17 @@
 #include <variant>
 
 #include "mpm/cell_index.h"
+#include "mpm/elastodamage_solid.h"
 #include "mpm/fluid.h"
-#include "mpm/linear_elastic.h"
 #include "mpm/membrane.h"
 #include "mpm/prescribed.h"
+#include "mpm/von_mises_solid.h"
 
 namespace zona::mpm {
 
 /// What a body is made of: chosen once per body and brick, never per point.
-using Material = std::variant<Fluid, LinearElastic, Membrane, Prescribed>;
+using Material =
+    std::variant<Fluid, LinearElastic, Solid<VonMises>, Solid<Elastodamage>, Membrane, Prescribed>;
 
 /// Whether a material has a volumetric strain that can be averaged over cells: fluids and solids.
 template <class M>

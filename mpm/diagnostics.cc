@@ -15,18 +15,27 @@ double stored_energy(const Fluid& m, const MaterialPoints& points, int p) {
 }
 
 /// sigma : C^-1 : sigma / 2 times the volume.
-double stored_energy(const LinearElastic& m, const MaterialPoints& points, int p) {
+double elastic_energy(const SymmetricTensorField& stress, const ElasticModuli& moduli,
+                      double volume, int p) {
   double trace = 0;
   double square = 0;
   for (int c = 0; c < 6; ++c) {
-    const double s = m.stress[c][p];
+    const double s = stress[c][p];
     trace += c < 3 ? s : 0;
     square += (c < 3 ? 1 : 2) * s * s;
   }
-  const double nu = m.properties.poisson_ratio;
-  const double density =
-      ((1 + nu) * square - nu * trace * trace) / (2 * m.properties.youngs_modulus);
-  return density * points.mass[p] / m.density[p];
+  const double nu = moduli.poisson_ratio;
+  return ((1 + nu) * square - nu * trace * trace) / (2 * moduli.youngs_modulus) * volume;
+}
+
+template <class Law>
+double stored_energy(const Solid<Law>& m, const MaterialPoints& points, int p) {
+  return elastic_energy(m.stress, m.properties.moduli(), points.mass[p] / m.density[p], p);
+}
+
+double stored_energy(const Solid<Elastodamage>& m, const MaterialPoints& points, int p) {
+  return m.state.integrity[p] * elastic_energy(m.state.effective_stress, m.properties.moduli(),
+                                               points.mass[p] / m.density[p], p);
 }
 
 double stored_energy(const Membrane& m, const MaterialPoints& points, int p) {

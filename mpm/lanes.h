@@ -38,7 +38,15 @@ inline Lanes square_root(const Lanes& a) {
   return result;
 }
 
+inline double square_root(double a) {
+  return std::sqrt(a);
+}
+
 inline Lanes larger(const Lanes& a, const Lanes& b) {
+  return a > b ? a : b;
+}
+
+inline double larger(double a, double b) {
   return a > b ? a : b;
 }
 

@@ -36,64 +36,61 @@ void check(const MembraneProperties& p) {
   }
 }
 
+Membrane::State make_state(const MembraneLaw& law, int points) {
+  return std::visit(
+      [&](const auto& l) -> Membrane::State {
+        return MembraneState<std::decay_t<decltype(l)>>(l, points);
+      },
+      law);
+}
+
 }  // namespace
 
-Membrane::Membrane(const MembraneProperties& p, std::optional<Elastodamage> law, bool objective,
+Membrane::Membrane(const MembraneProperties& p, const MembraneLaw& law, bool objective,
                    const MaterialPoints& points, std::vector<Triangle> triangles)
     : properties(p),
-      damage_law(law),
       surface(std::move(triangles), places_of(points)),
       kinematics(make_kinematics(objective, points, surface)),
+      state(make_state(law, points.size())),
+      integrity(points.size()),
       strain(points.size(), 0.0),
-      damage(points.size(), 0.0),
-      integrity(points.size(), 1.0),
-      failure_time(points.size(), std::numeric_limits<double>::infinity()),
       energy_density(points.size(), 0.0) {
   check(p);
-  if (law && !(law->elastic_limit > 0)) {
-    throw ModelError(fmt::format("the elastic limit must be positive, got {}", law->elastic_limit));
-  }
   for (auto& component : stress) component.assign(points.size(), 0.0);
   const auto areas = surface.areas(points.position);
   reference_area.assign(areas.begin(), areas.end());
 }
 
 double Membrane::wave_speed() const {
-  return std::sqrt(
-      properties.youngs_modulus /
-      (properties.density * (1 - properties.poisson_ratio * properties.poisson_ratio)));
+  return std::sqrt(properties.moduli().plane_stress() / properties.density);
 }
 
 void Membrane::update_stress(const std::array<Field, 3>& position, double time, int threads) {
   const int count = static_cast<int>(strain.size());
-  std::vector<int> newly_failed;
+  integrity.time = time;
   std::visit(
-      [&](auto& k) {
+      [&](auto& k, auto& s) {
         k.follow(position, surface, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
         for (int first = 0; first < count; first += lane_count) {
-          update_group(k, consecutive(first, count), time, newly_failed);
+          update_group(k, s, consecutive(first, count));
         }
       },
-      kinematics);
-  if (!newly_failed.empty()) drop_failed(newly_failed);
+      kinematics, state);
+  if (!integrity.newly_failed.empty()) drop_failed();
 }
 
-template <class K>
-void Membrane::update_group(const K& k, const PointGroup& group, double time,
-                            std::vector<int>& newly_failed) {
+template <class Kinematics, class LawState>
+void Membrane::update_group(const Kinematics& k, LawState& law_state, const PointGroup& group) {
   const LocalStrain local = k.local_strain(group);
   const Principal e = principal(local.strain);
   group.store(strain, e.first);
-  if (damage_law) grow_damage(group, e.first, time, newly_failed);
-  InPlane s = membrane_stress(e, properties);
-  const Lanes left = group.load(integrity);
-  s = {s.xx * left, s.yy * left, s.xy * left};
-  group.store(energy_density,
-              0.5 * (s.xx * local.strain.xx + s.yy * local.strain.yy) + s.xy * local.strain.xy);
+  const auto [s, elastic] = law_state.respond(group, local, e, properties, integrity);
+  group.store(energy_density, 0.5 * contract(s, elastic));
   constexpr int row[6] = {0, 1, 2, 0, 1, 2};
   constexpr int column[6] = {0, 1, 2, 1, 2, 0};
-  const auto& [strains, x, y] = local;
+  const VectorLanes& x = local.x;
+  const VectorLanes& y = local.y;
   for (int c = 0; c < 6; ++c) {
     const int i = row[c];
     const int j = column[c];
@@ -102,29 +99,15 @@ void Membrane::update_group(const K& k, const PointGroup& group, double time,
   }
 }
 
-void Membrane::grow_damage(const PointGroup& group, const Lanes& largest_strain, double time,
-                           std::vector<int>& newly_failed) {
-  const Lanes limit = damage_law->elastic_limit * (1.0 + group.load(damage));
-  if (!any(largest_strain > limit, group.count())) return;
-  for (int l = 0; l < group.count(); ++l) {
-    const int p = group[l];
-    if (failed(p) || !(largest_strain[l] > limit[l])) continue;
-    damage[p] = damage_law->damage(largest_strain[l]);
-    integrity[p] = damage_law->integrity(damage[p]);
-    if (!failed(p)) continue;
-    failure_time[p] = time;
-#pragma omp critical
-    newly_failed.push_back(p);
-  }
-}
-
-void Membrane::drop_failed(std::vector<int>& newly_failed) {
-  std::sort(newly_failed.begin(), newly_failed.end());
-  for (int p : newly_failed) {
+void Membrane::drop_failed() {
+  auto& failed = integrity.newly_failed;
+  std::sort(failed.begin(), failed.end());
+  for (int p : failed) {
     ++failed_points;
     const std::vector<int> neighbours = surface.drop_triangles_of(p);
     std::visit([&](auto& k) { k.forget_failed(p, neighbours, surface); }, kinematics);
   }
+  failed.clear();
 }
 
 }  // namespace zona::mpm

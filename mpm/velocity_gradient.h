@@ -19,6 +19,20 @@ inline SymmetricTensorLanes strain_rate(const VelocityGradient& l) {
           0.5 * (l[2][0] + l[0][2])};
 }
 
+/// W s - s W [s per second] with the spin W = (dv_i/dx_j - dv_j/dx_i)/2: how fast the components of
+/// a tensor change that turns with the material (Jaumann).
+inline SymmetricTensorLanes turning_rate(const VelocityGradient& l, const SymmetricTensorLanes& s) {
+  const Lanes wxy = 0.5 * (l[0][1] - l[1][0]);
+  const Lanes wyz = 0.5 * (l[1][2] - l[2][1]);
+  const Lanes wzx = 0.5 * (l[2][0] - l[0][2]);
+  return {2.0 * (wxy * s[3] - wzx * s[5]),
+          2.0 * (wyz * s[4] - wxy * s[3]),
+          2.0 * (wzx * s[5] - wyz * s[4]),
+          wxy * (s[1] - s[0]) + wyz * s[5] - wzx * s[4],
+          wyz * (s[2] - s[1]) + wzx * s[3] - wxy * s[5],
+          wzx * (s[0] - s[2]) + wxy * s[4] - wyz * s[3]};
+}
+
 inline Lanes trace(const SymmetricTensorLanes& a) {
   return a[0] + a[1] + a[2];
 }

@@ -12,8 +12,8 @@ struct BundledStudy {
   std::string description;  ///< its first comment line
 };
 
-/// The bundled study files and those in verification/, by name: those installed next to the program,
-/// else those of its source.
+/// The bundled study files and those in verification/, by name: those installed next to the
+/// program, else those of its source.
 std::vector<BundledStudy> bundled_studies();
 
 }  // namespace zona::studies

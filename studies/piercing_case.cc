@@ -5,6 +5,7 @@
 #include "coupling/tip_trace.h"
 #include "studies/beam_parameters.h"
 #include "studies/blame.h"
+#include "studies/material_parameters.h"
 #include "studies/piercing_values.h"
 #include "studies/time_step.h"
 
@@ -26,21 +27,28 @@ PiercingSetup::FluidRegion fluid_region(const Configuration& study, const std::s
   return region;
 }
 
+mpm::MembraneLaw zona_law(const Configuration& study) {
+  const std::string& law = study.choice("zona.law");
+  if (law == "elastodamage") return elastodamage_from(study, "zona.");
+  if (law == "elastic") {
+    if (study.choice("zona.stress_update") == "increments") return mpm::IncrementalElastic{};
+    return mpm::Elastic{};
+  }
+  mpm::VonMises plastic = von_mises_from(study, "zona.");
+  plastic.decohesion =
+      decohesion_from(study, "zona.", Vector3d::Constant(study.quantity("grid.cell")));
+  plastic.decohesion->localization = localization_of(study.choice("zona.bifurcation"));
+  return plastic;
+}
+
 PiercingSetup::Zona zona_setup(const Configuration& study) {
   PiercingSetup::Zona zona;
   zona.diameter = study.quantity("zona.diameter");
   zona.level = static_cast<int>(study.integer("zona.level"));
-  const std::string& one_way = study.choice("zona.one_way");
   zona.membrane = {study.quantity("zona.density"), study.quantity("zona.thickness"),
                    study.quantity("zona.youngs_modulus"), study.number("zona.poisson_ratio"),
-                   one_way == "stress"   ? mpm::OneWay::stress
-                   : one_way == "strain" ? mpm::OneWay::strain
-                                         : mpm::OneWay::off};
-  zona.damage.reset();
-  if (study.choice("zona.law") == "elastodamage") {
-    zona.damage = mpm::Elastodamage{study.number("zona.c0"), study.number("zona.c1"),
-                                    study.number("zona.elastic_limit")};
-  }
+                   one_way_of(study.choice("zona.one_way"))};
+  zona.law = zona_law(study);
   zona.objective = study.choice("zona.kinematics") == "objective";
   return zona;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "studies/material_parameters.h"
 #include "studies/piercing_parameters.h"
 #include "studies/piercing_values.h"
 #include "studies/shared_parameters.h"
@@ -106,10 +107,21 @@ void check_pipette(const Configuration& study, const Complain& complain) {
                                                  micro(outer), micro(diameter)));
 }
 
+void check_zona_law(const Configuration& study, const Complain& complain) {
+  check_von_mises("zona.", study, complain);
+  const std::string& law = study.choice("zona.law");
+  if (study.choice("zona.stress_update") == "total" || law == "elastic") return;
+  complain("zona.stress_update",
+           fmt::format("\"increments\" are for zona.law = \"elastic\", not for \"{}\"; needs "
+                       "\"total\"",
+                       law));
+}
+
 }  // namespace
 
 void check_piercing_geometry(Schema& schema) {
   schema.check(check_zona);
+  schema.check(check_zona_law);
   schema.check(check_domain);
   schema.check(check_axis_length);
   schema.check(check_plate);

@@ -66,7 +66,7 @@ mpm::Body zona_body(const PiercingSetup& setup, const PiercingGeometry& geometry
   const double mass = area * zona.membrane.thickness * zona.membrane.density / sphere.places.size();
   const auto points =
       mpm::make_points(sphere.places, std::vector<double>(sphere.places.size(), mass));
-  mpm::Membrane membrane(zona.membrane, zona.damage, zona.objective, points, sphere.triangles);
+  mpm::Membrane membrane(zona.membrane, zona.law, zona.objective, points, sphere.triangles);
   return {"zona", points, std::move(membrane), {}};
 }
 

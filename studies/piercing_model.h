@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "mpm/lattice.h"
 #include "mpm/solver.h"
 
@@ -17,7 +15,7 @@ struct PiercingSetup {
     double diameter = 100e-6;
     int level = 6;  ///< subdivisions of the icosahedron
     mpm::MembraneProperties membrane{1100, 8e-6, 17.9e3, 0.49, mpm::OneWay::stress};
-    std::optional<mpm::Elastodamage> damage = mpm::Elastodamage{};
+    mpm::MembraneLaw law = mpm::Elastodamage{};
     bool objective = false;
   } zona;
 

@@ -1,5 +1,6 @@
 #include "studies/piercing_parameters.h"
 
+#include "studies/material_parameters.h"
 #include "studies/shared_parameters.h"
 
 namespace zona::studies {
@@ -45,30 +46,20 @@ void declare_fluid(Schema& schema, const std::string& name, const std::string& p
 }
 
 void declare_zona_law(Schema& schema) {
-  schema.choice("zona.law", {"elastodamage", "elastic"})
-      .doc("Elastodamage (5.7)-(5.11), or elastic for ever.");
-  schema.number("zona.c0", 10)
-      .in("[0, 1e6]")
-      .called("c_0")
+  schema.choice("zona.law", {"elastodamage", "decohesion", "elastic"})
       .doc(
-          "Depth of the softening (Table 5.2), in (5.10) without its factor 2, which contradicts "
-          "the failure strain of 0.06.");
-  schema.number("zona.c1", 10)
-      .in("[0, 1e6]")
-      .called("c_1")
-      .doc("Speed of the softening in (5.10) (Table 5.2).");
-  schema.number("zona.elastic_limit", 0.05937)
-      .in("(0, 10]")
-      .called("S_L")
-      .doc("Greatest principal strain without damage (Table 5.2).");
+          "Elastodamage (5.7)-(5.11); von Mises plasticity (5.12)-(5.15) and, where it localises, "
+          "decohesion (5.32)-(5.42); or elastic for ever.");
+  declare_elastodamage(schema, "zona.");
+  declare_von_mises(schema, "zona.", zona_plasticity());
+  declare_decohesion(schema, "zona.");
+  declare_localization(schema, "zona.");
   schema.choice("zona.kinematics", {"source", "objective"})
       .doc(
           "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
           "source; or objective, from the deformation gradient of the triangles.");
-  schema.choice("zona.one_way", {"stress", "strain", "off"})
-      .doc(
-          "How compression is cut off: taut, wrinkled or slack by the principal stresses; by the "
-          "principal strains, as the source does (4.24)-(4.27); or not at all.");
+  declare_one_way(schema, "zona.");
+  declare_stress_update(schema, "zona.");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "coupling/tip_trace.h"
 #include "mpm/diagnostics.h"
 #include "studies/damage.h"
+#include "studies/decohesion_results.h"
 #include "studies/history_file.h"
 
 namespace zona::studies {
@@ -122,7 +123,7 @@ void PiercingRun::sample() {
 nlohmann::json PiercingRun::results() const {
   const auto& zona = *solver_.body("zona").membrane();
   double first_failure = std::numeric_limits<double>::infinity();
-  for (double t : zona.failure_time) first_failure = std::min(first_failure, t);
+  for (double t : zona.integrity.failure_time) first_failure = std::min(first_failure, t);
   nlohmann::json r;
   r["fluid"] = case_.fluid;
   r["fluid_density"] = case_.fluid_density;
@@ -138,6 +139,9 @@ nlohmann::json PiercingRun::results() const {
   r["failed_area"] = damage_.failed_area;
   r["time_of_first_failure"] =
       std::isfinite(first_failure) ? nlohmann::json(first_failure) : nlohmann::json();
+  if (const auto* plastic = std::get_if<mpm::MembraneState<mpm::VonMises>>(&zona.state)) {
+    r["decohesion"] = decohesion_results(*plastic);
+  }
   r["largest_strain_away"] = meter_.peak_strain_away();
   r["largest_displacement_away"] = meter_.peak_displacement_away();
   r["highest_cytoplasm_pressure"] = highest_pressure_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "studies/blame.h"
+#include "studies/material_parameters.h"
 
 namespace zona::studies {
 
@@ -109,13 +110,42 @@ mpm::Fluid fluid_of(const Table& table, const Pieces& pieces, const std::vector<
   return fluid;
 }
 
-mpm::LinearElastic elastic_of(const Table& table, const std::vector<double>& density) {
+template <class Law>
+mpm::Material solid_with(const Law& law, const Table& table, const std::vector<double>& density) {
   const mpm::ElasticProperties properties{*std::min_element(density.begin(), density.end()),
                                           table.quantity("youngs_modulus"),
                                           table.number("poisson_ratio")};
-  mpm::LinearElastic solid(properties, static_cast<int>(density.size()));
+  mpm::Solid<Law> solid(properties, static_cast<int>(density.size()), law);
   std::copy(density.begin(), density.end(), solid.density.begin());
   return solid;
+}
+
+/// von Mises, with decohesion where the law says so.
+mpm::VonMises plasticity_of(const Table& table, const mpm::BackgroundGrid& grid) {
+  mpm::VonMises plastic = von_mises_from(table, "");
+  if (table.choice("law") == "decohesion") {
+    plastic.decohesion = decohesion_from(table, "", grid.cell_size());
+    if (table.applies("bifurcation")) {
+      plastic.decohesion->localization = localization_of(table.choice("bifurcation"));
+    }
+  }
+  return plastic;
+}
+
+mpm::Material solid_of(const Table& table, const mpm::BackgroundGrid& grid,
+                       const std::vector<double>& density) {
+  const std::string& law = table.choice("law");
+  if (law == "elastic") return solid_with(mpm::Elastic{}, table, density);
+  if (law == "elastodamage") return solid_with(elastodamage_from(table, ""), table, density);
+  return solid_with(plasticity_of(table, grid), table, density);
+}
+
+mpm::MembraneLaw membrane_law(const Table& table, const mpm::BackgroundGrid& grid) {
+  const std::string& law = table.choice("law");
+  if (law == "elastodamage") return elastodamage_from(table, "");
+  if (law != "elastic") return plasticity_of(table, grid);
+  if (table.choice("stress_update") == "increments") return mpm::IncrementalElastic{};
+  return mpm::Elastic{};
 }
 
 double constant_density(const Table& table) {
@@ -129,24 +159,16 @@ mpm::Body membrane_body(const Table& table, const mpm::BackgroundGrid& grid) {
   const WeightedSurface weighted = surface_points(table, grid);
   const Pieces pieces{weighted.surface.places, weighted.areas};
   check_places(table, grid, pieces);
-  const std::string& one_way = table.choice("one_way");
-  const mpm::MembraneProperties properties{constant_density(table), table.quantity("thickness"),
-                                           table.quantity("youngs_modulus"),
-                                           table.number("poisson_ratio"),
-                                           one_way == "stress"   ? mpm::OneWay::stress
-                                           : one_way == "strain" ? mpm::OneWay::strain
-                                                                 : mpm::OneWay::off};
+  const mpm::MembraneProperties properties{
+      constant_density(table), table.quantity("thickness"), table.quantity("youngs_modulus"),
+      table.number("poisson_ratio"), one_way_of(table.choice("one_way"))};
   std::vector<double> mass;
   for (double area : weighted.areas) {
     mass.push_back(properties.density * properties.thickness * area);
   }
-  std::optional<mpm::Elastodamage> damage;
-  if (table.choice("law") == "elastodamage") {
-    damage =
-        mpm::Elastodamage{table.number("c0"), table.number("c1"), table.number("elastic_limit")};
-  }
   const mpm::MaterialPoints points = points_of(table, pieces, mass);
-  mpm::Membrane membrane(properties, damage, table.choice("kinematics") == "objective", points,
+  mpm::Membrane membrane(properties, membrane_law(table, grid),
+                         table.choice("kinematics") == "objective", points,
                          weighted.surface.triangles);
   return {table.name(), points, std::move(membrane), {}};
 }
@@ -168,8 +190,13 @@ mpm::Body scene_body(const Table& table, const mpm::BackgroundGrid& grid, const 
     const auto drive = table.choice("drive") == "nodes" ? mpm::Drive::nodes : mpm::Drive::points;
     return {table.name(), points, mpm::Prescribed(points, constant_density(table), {}, drive), {}};
   }
-  if (material == "elastic") return {table.name(), points, elastic_of(table, density), {}};
-  return {table.name(), points, fluid_of(table, pieces, density), {}};
+  mpm::Body body{table.name(),
+                 points,
+                 material == "solid" ? solid_of(table, grid, density)
+                                     : mpm::Material(fluid_of(table, pieces, density)),
+                 {}};
+  body.average_volume_strain = table.boolean("average_volume_strain");
+  return body;
 }
 
 }  // namespace zona::studies

@@ -1,3 +1,5 @@
+#include "studies/keys.h"
+#include "studies/material_parameters.h"
 #include "studies/scene_parameters.h"
 
 namespace zona::studies {
@@ -9,7 +11,8 @@ const std::vector<std::string> time_only{"t"};
 const std::vector<std::string> volumes{"box", "sphere", "cylinder", "tube", "grid"};
 const std::vector<std::string> surfaces{"sheet", "disc", "icosphere"};
 const std::vector<std::string> fluids{"gas", "liquid"};
-const std::vector<std::string> deformable{"elastic", "gas", "liquid", "membrane"};
+const std::vector<std::string> stiff{"solid", "membrane"};
+const std::vector<std::string> deformable{"solid", "gas", "liquid", "membrane"};
 
 Parameter& required_point(Schema& schema, const std::string& key) {
   return schema.quantities(key, "m", {}).without_default().exactly(3).in("[-1e6, 1e6]");
@@ -104,8 +107,7 @@ void declare_shape(Schema& schema) {
           "and along a cylinder or tube. \"auto\" fills cells.");
 }
 
-void declare_solids(Schema& schema) {
-  const std::vector<std::string> stiff{"elastic", "membrane"};
+void declare_elasticity(Schema& schema) {
   schema.quantity("body.youngs_modulus", "Pa", "")
       .without_default()
       .in("(0, 1e15]")
@@ -118,6 +120,22 @@ void declare_solids(Schema& schema) {
       .called("nu")
       .only_with("material", stiff)
       .doc("Poisson's ratio.");
+}
+
+void declare_laws(Schema& schema) {
+  schema.choice("body.law", {"elastic", "elastodamage", "von_mises", "decohesion"})
+      .only_with("material", stiff)
+      .doc(
+          "Elastic for ever; elastodamage (5.7)-(5.11); von Mises plasticity (5.12)-(5.15); or von "
+          "Mises and, where the flow localises, decohesion (5.32)-(5.42).");
+  declare_elastodamage(schema, "body.",
+                       [](Parameter& parameter) { parameter.only_with("law", {"elastodamage"}); });
+  declare_von_mises(schema, "body.", perfect_plasticity(), [](Parameter& parameter) {
+    parameter.only_with("law", {"von_mises", "decohesion"});
+    if (leaf(parameter.key) == "yield_strength") parameter.without_default();
+  });
+  declare_decohesion(schema, "body.",
+                     [](Parameter& parameter) { parameter.only_with("law", {"decohesion"}); });
 }
 
 void declare_fluids_of_scene(Schema& schema) {
@@ -164,29 +182,14 @@ void declare_membrane(Schema& schema) {
       .doc(
           "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
           "source; or objective, from the deformation gradient of the triangles.");
-  schema.choice("body.one_way", {"stress", "strain", "off"})
-      .only_with("material", {"membrane"})
-      .doc(
-          "How compression is cut off: taut, wrinkled or slack by the principal stresses; by the "
-          "principal strains, as the source does (4.24)-(4.27); or not at all.");
-  schema.choice("body.law", {"elastic", "elastodamage"})
-      .only_with("material", {"membrane"})
-      .doc("Elastic for ever, or elastodamage (5.7)-(5.11).");
-  schema.number("body.c0", 10)
-      .in("[0, 1e6]")
-      .called("c_0")
-      .only_with("law", {"elastodamage"})
-      .doc("Depth of the softening (Table 5.2), in (5.10) without its factor 2.");
-  schema.number("body.c1", 10)
-      .in("[0, 1e6]")
-      .called("c_1")
-      .only_with("law", {"elastodamage"})
-      .doc("Speed of the softening in (5.10) (Table 5.2).");
-  schema.number("body.elastic_limit", 0.05937)
-      .in("(0, 10]")
-      .called("S_L")
-      .only_with("law", {"elastodamage"})
-      .doc("Greatest principal strain without damage (Table 5.2).");
+  declare_one_way(schema, "body.",
+                  [](Parameter& parameter) { parameter.only_with("material", {"membrane"}); });
+  declare_stress_update(schema, "body.", [](Parameter& parameter) {
+    parameter.only_with("material", {"membrane"}).only_with("law", {"elastic"});
+  });
+  declare_localization(schema, "body.", [](Parameter& parameter) {
+    parameter.only_with("material", {"membrane"}).only_with("law", {"decohesion"});
+  });
 }
 
 void declare_motion_of_body(Schema& schema) {
@@ -217,9 +220,9 @@ void declare_scene_bodies(Schema& schema) {
       "stick to each other.",
       1, true);
   declare_shape(schema);
-  schema.choice("body.material", {"elastic", "gas", "liquid", "membrane", "rigid"})
+  schema.choice("body.material", {"solid", "gas", "liquid", "membrane", "rigid"})
       .doc(
-          "A linear elastic solid (3.41)-(3.42); an ideal gas (4.31); a liquid, that is a "
+          "A solid in rate form (3.41)-(3.42); an ideal gas (4.31); a liquid, that is a "
           "stiffened "
           "gas (5.1); a membrane (4.1); or a rigid body that moves as prescribed.");
   schema.formula("body.density", "kg/m^3", place, "")
@@ -227,9 +230,15 @@ void declare_scene_bodies(Schema& schema) {
       .in("(0, 1e9]")
       .called("rho")
       .doc("Initial density; constant for membranes and rigid bodies.");
-  declare_solids(schema);
-  declare_fluids_of_scene(schema);
+  declare_elasticity(schema);
+  declare_laws(schema);
   declare_membrane(schema);
+  declare_fluids_of_scene(schema);
+  schema.boolean("body.average_volume_strain", false)
+      .only_with("material", {"solid", "gas", "liquid"})
+      .doc(
+          "Whether the points of a cell share their mean volumetric strain rate and pressure: no "
+          "locking, and no pressures that the grid does not see.");
   declare_motion_of_body(schema);
 }
 

@@ -28,7 +28,8 @@ mpm::BackgroundGrid make_grid(const Configuration& study) {
   for (int axis = 0; axis < 3; ++axis) {
     cells[axis] = static_cast<int>(std::lround((high[axis] - low[axis]) / cell[axis]));
   }
-  return {low, cell, cells};
+  const bool quadratic = study.choice("grid.interpolation") == "quadratic";
+  return {low, cell, cells, quadratic ? mpm::Interpolation::quadratic : mpm::Interpolation::linear};
 }
 
 mpm::FaceConditions make_faces(const Configuration& study) {

@@ -54,6 +54,10 @@ void declare_scene_grid(Schema& schema) {
       .or_one_for_all()
       .in("(0, 1e6]")
       .doc("Edges of a cell along x, y and z.");
+  schema.choice("grid.interpolation", {"linear", "quadratic"})
+      .doc(
+          "Shape functions: trilinear (3.7)-(3.11) as the source, or quadratic B-splines, whose "
+          "gradient does not jump where points cross cells.");
   declare_faces(schema);
   schema.section("gravity", "Gravity.");
   schema.quantities("gravity.acceleration", "m/s^2", {"0 m/s^2", "0 m/s^2", "0 m/s^2"})

@@ -1,4 +1,4 @@
-#include "mpm/linear_elastic.h"
+#include "mpm/solid.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "mpm/linear_elastic.h"
+#include "mpm/solid.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,7 @@
 
 namespace zona::mpm {
 
-LinearElastic::LinearElastic(const ElasticProperties& p, int points)
-    : properties(p), density(points, p.density) {
+void check(const ElasticProperties& p) {
   if (!(p.density > 0) || !(p.youngs_modulus > 0)) {
     throw ModelError(fmt::format(
         "an elastic solid needs positive density and Young's modulus, got {} kg/m^3, {} Pa",
@@ -17,7 +16,6 @@ LinearElastic::LinearElastic(const ElasticProperties& p, int points)
     throw ModelError(fmt::format("a solid's Poisson ratio must lie between -1 and 0.5, got {}",
                                  p.poisson_ratio));
   }
-  for (auto& component : stress) component.assign(points, 0.0);
 }
 
 }  // namespace zona::mpm

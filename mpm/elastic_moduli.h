@@ -1,0 +1,21 @@
+#pragma once
+
+namespace zona::mpm {
+
+/// Isotropic linear elasticity.
+struct ElasticModuli {
+  double youngs_modulus;  ///< E [Pa]
+  double poisson_ratio;   ///< nu [-], above -1 and, but in plane stress, below 0.5
+
+  double lame_first() const {
+    return youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
+  }
+  double shear() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }
+  double bulk() const { return youngs_modulus / (3 * (1 - 2 * poisson_ratio)); }
+  /// Stiffness against a strain in one direction alone, lambda + 2 G [Pa].
+  double constrained() const { return lame_first() + 2 * shear(); }
+  /// The same in plane stress, E / (1 - nu^2) [Pa].
+  double plane_stress() const { return youngs_modulus / (1 - poisson_ratio * poisson_ratio); }
+};
+
+}  // namespace zona::mpm

@@ -1,0 +1,126 @@
+#pragma once
+
+#include "mpm/elastic_moduli.h"
+#include "mpm/material_points.h"
+#include "mpm/velocity_gradient.h"
+
+namespace zona::mpm {
+
+struct ElasticProperties {
+  double density;         ///< initial [kg/m^3]
+  double youngs_modulus;  ///< E [Pa]
+  double poisson_ratio;   ///< nu [-], below 0.5
+
+  ElasticModuli moduli() const { return {youngs_modulus, poisson_ratio}; }
+};
+
+/// Throws ModelError.
+void check(const ElasticProperties& properties);
+
+/// The law of a material that is elastic for ever.
+struct Elastic {};
+
+/// What a law keeps of each point of a solid, and how it limits the stress. A state has
+///     SolidState(const Law&, int points);                    throws ModelError
+///     SymmetricTensorField& elastic_stress(stress);          the tensor that Hooke's law drives
+///     SymmetricTensorLanes limit(group, trial, gradient, dt, properties, law);  Cauchy stress
+///     for_each_field(f);
+template <class Law>
+struct SolidState;
+
+template <>
+struct SolidState<Elastic> {
+  SolidState(const Elastic&, int) {}
+  SymmetricTensorField& elastic_stress(SymmetricTensorField& stress) { return stress; }
+  SymmetricTensorLanes limit(const PointGroup&, const SymmetricTensorLanes& trial,
+                             const VelocityGradient&, double, const ElasticProperties&,
+                             const Elastic&) {
+    return trial;
+  }
+  template <class F>
+  void for_each_field(F) {}
+};
+
+/// Isotropic solid in rate form (3.41)-(3.42): Hooke's law, then what its law (Elastic, VonMises,
+/// Elastodamage) leaves of the stress. The stress is turned with the material by the Jaumann rate,
+/// which the source omits: without it a turning body would make stress.
+template <class Law>
+struct Solid {
+  static constexpr bool has_stress = true;
+
+  /// Throws ModelError.
+  Solid(const ElasticProperties& properties, int points, const Law& law = {});
+
+  ElasticProperties properties;
+  Law law;
+  Field density;                ///< [kg/m^3]
+  SymmetricTensorField stress;  ///< Cauchy [Pa]
+  SolidState<Law> state;
+
+  /// Primary wave (5.46) [m/s].
+  double wave_speed() const {
+    return std::sqrt(properties.moduli().constrained() / properties.density);
+  }
+  /// Secondary wave (5.47) [m/s].
+  double shear_wave_speed() const {
+    return std::sqrt(properties.moduli().shear() / properties.density);
+  }
+  Lanes volume(const PointGroup& group, const Lanes& mass) const {
+    return mass / group.load(density);
+  }
+  LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt,
+                  double length);
+
+  template <class F>
+  void for_each_field(F f) {
+    f(density);
+    for (auto& component : stress) f(component);
+    state.for_each_field(f);
+  }
+};
+
+using LinearElastic = Solid<Elastic>;
+
+/// The stress [Pa] that a step of dt [s] makes of `s` by Hooke's law and the Jaumann rate.
+inline SymmetricTensorLanes elastic_step(const SymmetricTensorLanes& s,
+                                         const VelocityGradient& gradient,
+                                         const SymmetricTensorLanes& rate,
+                                         const ElasticModuli& moduli, double dt) {
+  const double two_g = 2 * moduli.shear();
+  const Lanes spherical = moduli.lame_first() * trace(rate);
+  const SymmetricTensorLanes turned = turning_rate(gradient, s);
+  SymmetricTensorLanes result;
+  for (int c = 0; c < 6; ++c) {
+    result[c] = s[c] + dt * (two_g * rate[c] + turned[c] + (c < 3 ? spherical : Lanes{}));
+  }
+  return result;
+}
+
+template <class Law>
+inline LaneMask Solid<Law>::update(const PointGroup& group, const VelocityGradient& gradient,
+                                   double dt, double) {
+  const SymmetricTensorLanes rate = strain_rate(gradient);
+  SymmetricTensorField& driven = state.elastic_stress(stress);
+  const SymmetricTensorLanes trial =
+      elastic_step(group.load(driven), gradient, rate, properties.moduli(), dt);
+  const Lanes new_density = group.load(density) / (1.0 + dt * trace(rate));
+  group.store(density, new_density);
+  if (&driven != &stress) group.store(driven, trial);
+  group.store(stress, state.limit(group, trial, gradient, dt, properties, law));
+  return ~((new_density > 0.0) & (new_density < HUGE_VAL));
+}
+
+template <class Law>
+Solid<Law>::Solid(const ElasticProperties& p, int points, const Law& l)
+    : properties(p), law(l), density(points, p.density), state(l, points) {
+  check(p);
+  for (auto& component : stress) component.assign(points, 0.0);
+}
+
+/// Whether a material is a solid in three dimensions, whatever its law.
+template <class Material>
+inline constexpr bool is_solid = false;
+template <class Law>
+inline constexpr bool is_solid<Solid<Law>> = true;
+
+}  // namespace zona::mpm
