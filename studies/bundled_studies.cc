@@ -37,10 +37,12 @@ fs::path figure_directory() {
 
 std::vector<BundledStudy> bundled_studies() {
   std::vector<BundledStudy> studies;
-  std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(study_directory(), failure)) {
-    if (entry.path().extension() != ".toml") continue;
-    studies.push_back({entry.path(), first_comment(entry.path())});
+  for (const fs::path& directory : {study_directory(), study_directory() / "verification"}) {
+    std::error_code failure;
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory, failure)) {
+      if (entry.path().extension() != ".toml") continue;
+      studies.push_back({entry.path(), first_comment(entry.path())});
+    }
   }
   std::sort(studies.begin(), studies.end(),
             [](const BundledStudy& a, const BundledStudy& b) { return a.file < b.file; });

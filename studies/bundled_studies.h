@@ -16,7 +16,8 @@ struct BundledStudy {
 std::filesystem::path study_directory();
 std::filesystem::path figure_directory();
 
-/// The bundled study files by name: those installed next to the program, else those of its source.
+/// The bundled study files and those in verification/, by name: those installed next to the
+/// program, else those of its source.
 std::vector<BundledStudy> bundled_studies();
 
 }  // namespace zona::studies

@@ -1,5 +1,7 @@
 #include "studies/frames.h"
 
+#include "studies/point_values.h"
+
 namespace zona::studies {
 
 namespace {
@@ -20,6 +22,12 @@ std::vector<double> vectors_by_id(const mpm::Body& body, const std::array<mpm::F
   return ordered;
 }
 
+std::vector<double> scalar(const mpm::Body& body, const std::string& quantity) {
+  const std::size_t place = point_quantity(quantity).first;
+  const Eigen::Vector3d start = Eigen::Vector3d::Zero();  // displacements are not asked for
+  return by_id(body, [&](int p) { return values_at(body, p, start).value[place]; });
+}
+
 mpm::PointCloud draw_body(const mpm::Body& body) {
   mpm::PointCloud cloud{body.name, vectors_by_id(body, body.points.position), {}, {}};
   if (const mpm::Membrane* membrane = body.membrane()) {
@@ -28,10 +36,13 @@ mpm::PointCloud draw_body(const mpm::Body& body) {
     cloud.fields["strain"] = by_id(body, [&](int p) { return membrane->strain[p]; });
     cloud.fields["damage"] = by_id(body, [&](int p) { return 1 - membrane->integrity.left[p]; });
   }
-  if (const auto* fluid = std::get_if<mpm::Fluid>(&body.material)) {
-    const auto& s = fluid->stress;
-    cloud.fields["pressure"] =
-        by_id(body, [&](int p) { return -(s[0][p] + s[1][p] + s[2][p]) / 3; });
+  const bool fluid = std::holds_alternative<mpm::Fluid>(body.material);
+  const bool solid = !fluid && !body.membrane() && !body.prescribed();
+  if (fluid || solid) cloud.fields["pressure"] = scalar(body, "pressure");
+  if (solid) {
+    for (const char* name : {"equivalent_stress", "plastic_strain", "damage"}) {
+      cloud.fields[name] = scalar(body, name);
+    }
   }
   if (!body.prescribed()) cloud.fields["velocity"] = vectors_by_id(body, body.points.velocity);
   return cloud;

@@ -5,9 +5,10 @@
 
 namespace zona::studies {
 
-/// All bodies of a solver as they are drawn, points in the order of their ids: the zona's triangles
-/// with `failed`, `strain`, `damage` and `velocity`, fluids with `pressure` and `velocity`, rigid
-/// bodies bare.
+/// All bodies of a solver as they are drawn, points in the order of their ids: membranes as
+/// triangles with `failed`, `strain`, `damage`; fluids with `pressure`; solids with `pressure`,
+/// `equivalent_stress`, `plastic_strain`, `damage`; all with `velocity` but rigid bodies, which are
+/// bare.
 std::vector<mpm::PointCloud> draw(const mpm::Solver& solver);
 
 }  // namespace zona::studies

@@ -20,8 +20,9 @@ enum First : std::size_t {
   density = 17,
   strain = 18,
   energy = 19,
-  damage = 20,
-  end = 21
+  plastic_strain = 20,
+  damage = 21,
+  end = 22
 };
 static_assert(end == PointValues::count);
 
@@ -31,22 +32,41 @@ double von_mises(const double* s) {
   return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * shear);
 }
 
-void take_density(const mpm::Membrane& m, int p, PointValues& point) {
+/// What a law keeps of a point of a solid or membrane; nothing in most.
+template <class State>
+void take_law(const State&, int, PointValues&) {}
+void take_law(const mpm::SolidState<mpm::VonMises>& s, int p, PointValues& point) {
+  point.value[plastic_strain] = s.internal[p];
+  if (!s.surfaces.empty()) point.value[damage] = s.surfaces.opened[p];
+}
+void take_law(const mpm::SolidState<mpm::Elastodamage>& s, int p, PointValues& point) {
+  point.value[damage] = 1 - s.integrity[p];
+}
+void take_law(const mpm::MembraneState<mpm::VonMises>& s, int p, PointValues& point) {
+  point.value[plastic_strain] = s.internal[p];
+}
+
+void take_own(const mpm::Membrane& m, int p, PointValues& point) {
+  std::visit([&](const auto& state) { take_law(state, p, point); }, m.state);
   point.value[density] = m.properties.density;
   point.value[strain] = m.strain[p];
   point.value[damage] = 1 - m.integrity.left[p];
 }
-void take_density(const mpm::Prescribed& m, int, PointValues& point) {
+void take_own(const mpm::Prescribed& m, int, PointValues& point) {
   point.value[density] = m.density;
 }
-template <class Material>
-void take_density(const Material& m, int p, PointValues& point) {
+void take_own(const mpm::Fluid& m, int p, PointValues& point) {
+  point.value[density] = m.density[p];
+}
+template <class Law>
+void take_own(const mpm::Solid<Law>& m, int p, PointValues& point) {
+  take_law(m.state, p, point);
   point.value[density] = m.density[p];
 }
 
 template <class Material>
 void take_state(const Material& m, int p, PointValues& point) {
-  take_density(m, p, point);
+  take_own(m, p, point);
   point.volume = point.mass / point.value[density];
   if constexpr (Material::has_stress) {
     for (int c = 0; c < 6; ++c) point.value[stress + c] = m.stress[c][p];
@@ -71,6 +91,7 @@ const std::vector<PointQuantity>& point_quantities() {
       {"density", "kg/m^3", scalar, density, true},
       {"strain", "", scalar, strain, true},
       {"energy", "J/kg", scalar, energy, false},
+      {"plastic_strain", "", scalar, plastic_strain, true},
       {"damage", "", scalar, damage, true}};
   return quantities;
 }
@@ -101,13 +122,6 @@ PointValues values_at(const mpm::Body& body, int p, const Eigen::Vector3d& start
   std::visit([&](const auto& material) { take_state(material, p, point); }, body.material);
   point.value[energy] = mpm::specific_energy(body, p);
   return point;
-}
-
-bool has_quantity(const std::string& material, const std::string& quantity) {
-  const bool moves = quantity == "position" || quantity == "displacement" || quantity == "velocity";
-  if (moves) return true;
-  if (quantity == "strain" || quantity == "damage") return material == "membrane";
-  return material != "rigid";
 }
 
 void PointMean::add(const PointValues& point) {

@@ -21,7 +21,8 @@ struct PointQuantity {
 
 /// Position, displacement, velocity, stress (xx yy zz xy yz zx), equivalent_stress (von Mises),
 /// pressure (-tr sigma / 3), density, strain (largest principal one of a membrane), energy
-/// (specific: internal of a fluid, elastic of a solid or membrane), damage (1 = failed).
+/// (specific: internal of a fluid, elastic of a solid or membrane), plastic_strain (path length of
+/// the plastic strain (5.15)), damage (1 = failed).
 const std::vector<PointQuantity>& point_quantities();
 /// Throws std::logic_error for a name that is none.
 const PointQuantity& point_quantity(const std::string& name);
@@ -29,7 +30,7 @@ std::vector<std::string> quantity_names();
 
 /// All quantities of a point, or of several on average, in SI; zero where a material has none.
 struct PointValues {
-  static constexpr std::size_t count = 21;
+  static constexpr std::size_t count = 22;
   std::array<double, count> value{};
   double mass = 0;    ///< [kg]
   double volume = 0;  ///< [m^3]
@@ -37,9 +38,6 @@ struct PointValues {
 
 /// Of a point that is stored at `p` and started at `start` [m].
 PointValues values_at(const mpm::Body& body, int p, const Eigen::Vector3d& start);
-
-/// Whether points of a material, by its name in a study file, have the quantity.
-bool has_quantity(const std::string& material, const std::string& quantity);
 
 /// Sums points up; call it in the order of their ids, so that sums do not depend on the storage.
 class PointMean {

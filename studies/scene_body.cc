@@ -111,7 +111,7 @@ mpm::Fluid fluid_of(const Table& table, const Pieces& pieces, const std::vector<
 }
 
 template <class Law>
-mpm::Solid<Law> solid_of(const Table& table, const std::vector<double>& density, const Law& law) {
+mpm::Material solid_with(const Law& law, const Table& table, const std::vector<double>& density) {
   const mpm::ElasticProperties properties{*std::min_element(density.begin(), density.end()),
                                           table.quantity("youngs_modulus"),
                                           table.number("poisson_ratio")};
@@ -120,22 +120,24 @@ mpm::Solid<Law> solid_of(const Table& table, const std::vector<double>& density,
   return solid;
 }
 
+/// von Mises, with decohesion where the law says so.
 mpm::VonMises plasticity_of(const Table& table, const mpm::BackgroundGrid& grid) {
-  mpm::VonMises law = von_mises_from(table, "");
-  if (table.choice("law") != "decohesion") return law;
-  law.decohesion = decohesion_from(table, "", grid.cell_size());
-  if (table.applies("bifurcation")) {
-    law.decohesion->localization = localization_of(table.choice("bifurcation"));
+  mpm::VonMises plastic = von_mises_from(table, "");
+  if (table.choice("law") == "decohesion") {
+    plastic.decohesion = decohesion_from(table, "", grid.cell_size());
+    if (table.applies("bifurcation")) {
+      plastic.decohesion->localization = localization_of(table.choice("bifurcation"));
+    }
   }
-  return law;
+  return plastic;
 }
 
-mpm::Material solid_material(const Table& table, const std::vector<double>& density,
-                             const mpm::BackgroundGrid& grid) {
+mpm::Material solid_of(const Table& table, const mpm::BackgroundGrid& grid,
+                       const std::vector<double>& density) {
   const std::string& law = table.choice("law");
-  if (law == "elastic") return solid_of(table, density, mpm::Elastic{});
-  if (law == "elastodamage") return solid_of(table, density, elastodamage_from(table, ""));
-  return solid_of(table, density, plasticity_of(table, grid));
+  if (law == "elastic") return solid_with(mpm::Elastic{}, table, density);
+  if (law == "elastodamage") return solid_with(elastodamage_from(table, ""), table, density);
+  return solid_with(plasticity_of(table, grid), table, density);
 }
 
 mpm::MembraneLaw membrane_law(const Table& table, const mpm::BackgroundGrid& grid) {
@@ -190,7 +192,7 @@ mpm::Body scene_body(const Table& table, const mpm::BackgroundGrid& grid, const 
   }
   mpm::Body body{table.name(),
                  points,
-                 material == "solid" ? solid_material(table, density, grid)
+                 material == "solid" ? solid_of(table, grid, density)
                                      : mpm::Material(fluid_of(table, pieces, density)),
                  {}};
   body.average_volume_strain = table.boolean("average_volume_strain");

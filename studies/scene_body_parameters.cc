@@ -1,3 +1,4 @@
+#include "studies/keys.h"
 #include "studies/material_parameters.h"
 #include "studies/numerics_parameters.h"
 #include "studies/scene_parameters.h"
@@ -107,7 +108,7 @@ void declare_shape(Schema& schema) {
           "and along a cylinder or tube. \"auto\" fills cells.");
 }
 
-void declare_solids(Schema& schema) {
+void declare_elasticity(Schema& schema) {
   schema.quantity("body.youngs_modulus", "Pa", "")
       .without_default()
       .in("(0, 1e15]")
@@ -120,6 +121,22 @@ void declare_solids(Schema& schema) {
       .called("nu")
       .only_with("material", stiff)
       .doc("Poisson's ratio.");
+}
+
+void declare_laws(Schema& schema) {
+  schema.choice("body.law", {"elastic", "elastodamage", "von_mises", "decohesion"})
+      .only_with("material", stiff)
+      .doc(
+          "Elastic for ever; elastodamage (5.7)-(5.11); von Mises plasticity (5.12)-(5.15); or von "
+          "Mises and, where the flow localises, decohesion (5.32)-(5.42).");
+  declare_elastodamage(schema, "body.",
+                       [](Parameter& parameter) { parameter.only_with("law", {"elastodamage"}); });
+  declare_von_mises(schema, "body.", perfect_plasticity(), [](Parameter& parameter) {
+    parameter.only_with("law", {"von_mises", "decohesion"});
+    if (leaf(parameter.key) == "yield_strength") parameter.without_default();
+  });
+  declare_decohesion(schema, "body.",
+                     [](Parameter& parameter) { parameter.only_with("law", {"decohesion"}); });
 }
 
 void declare_fluids_of_scene(Schema& schema) {
@@ -166,31 +183,13 @@ void declare_membrane(Schema& schema) {
       .doc(
           "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
           "source; or objective, from the deformation gradient of the triangles.");
-  const EachKey of_membranes = [](Parameter& key) { key.only_with("material", {"membrane"}); };
-  declare_one_way(schema, "body.", of_membranes);
-}
-
-/// How solids and membranes yield and fail.
-void declare_laws(Schema& schema) {
-  schema.choice("body.law", {"elastic", "elastodamage", "von_mises", "decohesion"})
-      .only_with("material", stiff)
-      .doc(
-          "Elastic for ever; elastodamage (5.7)-(5.11); von Mises plasticity (5.12)-(5.15); or "
-          "this and, where the flow localises, decohesion (5.32)-(5.42).");
-  const auto only = [](std::vector<std::string> laws) -> EachKey {
-    return [laws](Parameter& key) {
-      key.only_with("law", laws);
-      if (key.key == "body.yield_strength") key.without_default();
-    };
-  };
-  declare_elastodamage(schema, "body.", only({"elastodamage"}));
-  declare_von_mises(schema, "body.", perfect_plasticity(), only({"von_mises", "decohesion"}));
-  declare_decohesion(schema, "body.", only({"decohesion"}));
-  declare_localization(schema, "body.", [](Parameter& key) {
-    key.only_with("material", {"membrane"}).only_with("law", {"decohesion"});
+  declare_one_way(schema, "body.",
+                  [](Parameter& parameter) { parameter.only_with("material", {"membrane"}); });
+  declare_stress_update(schema, "body.", [](Parameter& parameter) {
+    parameter.only_with("material", {"membrane"}).only_with("law", {"elastic"});
   });
-  declare_stress_update(schema, "body.", [](Parameter& key) {
-    key.only_with("material", {"membrane"}).only_with("law", {"elastic"});
+  declare_localization(schema, "body.", [](Parameter& parameter) {
+    parameter.only_with("material", {"membrane"}).only_with("law", {"decohesion"});
   });
 }
 
@@ -224,7 +223,7 @@ void declare_scene_bodies(Schema& schema) {
   declare_shape(schema);
   schema.choice("body.material", {"solid", "gas", "liquid", "membrane", "rigid"})
       .doc(
-          "A solid (3.41)-(3.42); an ideal gas (4.31); a liquid, that is a "
+          "A solid in rate form (3.41)-(3.42); an ideal gas (4.31); a liquid, that is a "
           "stiffened "
           "gas (5.1); a membrane (4.1); or a rigid body that moves as prescribed.");
   schema.formula("body.density", "kg/m^3", place, "")
@@ -232,10 +231,10 @@ void declare_scene_bodies(Schema& schema) {
       .in("(0, 1e9]")
       .called("rho")
       .doc("Initial density; constant for membranes and rigid bodies.");
-  declare_solids(schema);
-  declare_fluids_of_scene(schema);
-  declare_membrane(schema);
+  declare_elasticity(schema);
   declare_laws(schema);
+  declare_membrane(schema);
+  declare_fluids_of_scene(schema);
   declare_volume_average(schema, "body.average_volume_strain")
       .only_with("material", {"solid", "gas", "liquid"});
   declare_motion_of_body(schema);

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/point_values.h"
+#include "studies/keys.h"
+#include "studies/material_parameters.h"
 #include "studies/scene_parameters.h"
 #include "studies/scene_shape.h"
 #include "studies/shared_parameters.h"
@@ -113,6 +114,14 @@ void check_points(const Table& body, const Complain& complain) {
   }
 }
 
+void check_plasticity(const Table& body, const Complain& complain) {
+  if (!body.applies("yield_strength")) return;
+  const Complain by_leaf = [&](const std::string& key, const std::string& message) {
+    complain(leaf(key), message);
+  };
+  check_von_mises(body.key(""), body.study(), by_leaf);
+}
+
 void check_load(const Table& load, const Complain& complain) {
   check_box(load, complain, false);
   for (const Table& body : load.study().items("body")) {
@@ -129,14 +138,30 @@ void check_load(const Table& load, const Complain& complain) {
   }
 }
 
+bool one_of(const std::string& word, const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool has_quantity(const Table& body, const std::string& quantity) {
+  const std::string& material = body.choice("material");
+  const std::string law = body.applies("law") ? body.choice("law") : "";
+  if (one_of(quantity, {"position", "displacement", "velocity"})) return true;
+  if (quantity == "strain") return material == "membrane";
+  if (quantity == "damage") return one_of(law, {"elastodamage", "decohesion"});
+  if (quantity == "plastic_strain") return one_of(law, {"von_mises", "decohesion"});
+  return material != "rigid";
+}
+
 void check_probe(const Table& probe, const Complain& complain) {
   check_box(probe, complain, false);
   for (const Table& body : probe.study().items("body")) {
     if (body.name() != probe.text("body")) continue;
     for (const std::string& quantity : probe.texts("quantities")) {
-      if (has_quantity(body.choice("material"), quantity)) continue;
-      complain("quantities", fmt::format("{} is {} and has no {}", body.name(),
-                                         body.choice("material"), quantity));
+      if (has_quantity(body, quantity)) continue;
+      const std::string law = body.applies("law") ? ", law " + body.choice("law") : "";
+      complain("quantities",
+               fmt::format("the points of {} (material {}{}) have no {}; leave it out", body.name(),
+                           body.choice("material"), law, quantity));
     }
   }
 }
@@ -153,8 +178,7 @@ void check_profile(const Table& profile, const Complain& complain) {
   if (profile.is_auto("bodies")) return;
   const auto wanted = profile.texts("bodies");
   for (const Table& body : profile.study().items("body")) {
-    const bool listed = std::find(wanted.begin(), wanted.end(), body.name()) != wanted.end();
-    if (!listed || body.choice("material") != "rigid") continue;
+    if (!one_of(body.name(), wanted) || body.choice("material") != "rigid") continue;
     complain("bodies", fmt::format("{} is rigid: it has no stress to average", body.name()));
   }
 }
@@ -171,6 +195,7 @@ void check_scene(Schema& schema) {
   schema.check_each("body", check_tube);
   schema.check_each("body", check_sheet);
   schema.check_each("body", check_points);
+  schema.check_each("body", check_plasticity);
   schema.check_each(
       "hold", [](const Table& hold, const Complain& complain) { check_box(hold, complain, true); });
   schema.check_each("load", check_load);
