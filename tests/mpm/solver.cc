@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <random>
 
+#include "mpm/diagnostics.h"
 #include "mpm/errors.h"
 #include "mpm/lattice.h"
 
@@ -263,6 +265,29 @@ TEST_CASE("A step above the critical one is refused with the number that is allo
                     Catch::Contains("critical step of 5.712e-09 s"));
   CHECK_THROWS_AS(Solver(model, 0), ModelError);
   CHECK_THROWS_AS(Solver(model, 1e-9, 0), ModelError);
+}
+
+TEST_CASE("The critical step is stable and not far from the largest one") {
+  const auto interpolation = GENERATE(Interpolation::linear, Interpolation::quadratic);
+  const auto face = GENERATE(FaceCondition::free, FaceCondition::roller, FaceCondition::absorbing);
+  const BackgroundGrid grid(Vector3d::Zero(), Vector3d::Ones(), {5, 6, 5}, interpolation);
+  const auto lattice = fill_cells(grid, {2, 2, 2}, [](const Vector3d&) { return true; });
+  auto points = make_points(lattice.places, lattice.volumes);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(-1e-9, 1e-9);
+  for (auto& component : points.velocity) {
+    for (double& v : component) v = noise(random);
+  }
+  Fluid fluid({1, {4, 0.2}, 0, 0, {}}, points.size());
+  Model model{grid, {}, {face, face, face, face, face, face}, Vector3d::Zero()};
+  model.bodies.push_back({"fluid", std::move(points), std::move(fluid), {}});
+  const double critical = critical_step(grid, model.bodies).seconds;
+  CHECK(critical == Approx(interpolation == Interpolation::linear ? 1 : std::sqrt(2.0 / 3)));
+  const double allowed = face == FaceCondition::absorbing ? 0.85 : 1;
+  Solver solver(std::move(model), allowed * critical);
+  const double start = totals(solver.bodies()[0]).kinetic_energy;
+  for (int s = 0; s < 1000; ++s) solver.step();
+  CHECK(totals(solver.bodies()[0]).kinetic_energy < start);
 }
 
 TEST_CASE("A point that leaves the grid and a NaN stop the run with their whereabouts") {
