@@ -15,7 +15,14 @@ enum class StressMeasure {
   nominal     ///< force per undeformed width
 };
 
-/// Linear elastic isotropic membrane in plane stress that wrinkles rather than carry compression.
+/// What the membrane does where it would be compressed.
+enum class Wrinkling {
+  none,    ///< carries compression
+  stress,  ///< taut, wrinkled (uniaxial stress) or slack: Pipkin's relaxed energy
+  strain   ///< the source's: negative principal strains are zeroed before the plane-stress law
+};
+
+/// Linear elastic isotropic membrane in plane stress.
 ///
 /// With the undeformed thickness h, the tensions per *undeformed* width are
 ///   P_i = h tau_i/lambda_i (Kirchhoff), P_i = h tau_i (nominal),
@@ -30,10 +37,11 @@ struct MembraneLaw {
   double thickness;       ///< undeformed, h [m]
   StrainMeasure strain = StrainMeasure::logarithmic;
   StressMeasure stress = StressMeasure::kirchhoff;
-  bool wrinkles = true;  ///< otherwise it carries compression
+  Wrinkling wrinkling = Wrinkling::stress;
 
   bool has_energy() const {
-    return (strain == StrainMeasure::logarithmic) == (stress == StressMeasure::kirchhoff);
+    return (strain == StrainMeasure::logarithmic) == (stress == StressMeasure::kirchhoff) &&
+           wrinkling != Wrinkling::strain;
   }
 };
 
@@ -54,11 +62,10 @@ double stretch_of(StrainMeasure measure, double strain);
 ///   taut:     tau_1 = E (e_1 + nu e_2)/(1 - nu^2), if neither is negative
 ///   wrinkled: uniaxial, tau = E e along the larger strain, if that is positive
 ///   slack:    none
-/// (Pipkin's relaxed energy: the least energy over all additional contractions.)
+/// `Wrinkling::strain` is the law of "taut" at max(e_1, 0), max(e_2, 0) instead.
 struct PrincipalStresses {
-  double first, second;  ///< [Pa]
-  /// d first/d e_1, d first/d e_2 = d second/d e_1, d second/d e_2 [Pa]
-  double d11, d12, d22;
+  double first, second;       ///< [Pa]
+  double d11, d12, d21, d22;  ///< d first/d e_1, d first/d e_2, d second/... [Pa]
   MembraneState state;
 };
 PrincipalStresses principal_stresses(const MembraneLaw& law, double e1, double e2);

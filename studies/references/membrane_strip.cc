@@ -23,6 +23,9 @@ double onset_curvature(const BentStrip& s) {
 }  // namespace
 
 StripState free_strip(const MembraneLaw& law, double stretch) {
+  require(law.wrinkling != Wrinkling::strain,
+          "a free strip whose negative strains are cut has no equilibrium");
+  require_positive(stretch, "stretch");
   const double e = strain_of(law.strain, stretch).value;
   return held_strip(law, stretch, stretch_of(law.strain, -law.poisson_ratio * e));
 }

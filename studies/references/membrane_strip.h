@@ -14,7 +14,8 @@ struct StripState {
 };
 
 /// Free long edges: uniaxial stress E e, lateral strain -nu e. `stretch` is along the strip; at or
-/// below one it is slack. Throws ModelError for a stretch that is not positive.
+/// below one it is slack. Throws ModelError for a stretch that is not positive, and for
+/// `Wrinkling::strain`, which pulls across at any contraction: a free strip has no equilibrium.
 StripState free_strip(const MembraneLaw& law, double stretch);
 
 /// Long edges held at `lateral_stretch` times their distance. At 1: stress E e/(1 - nu^2) and nu

@@ -37,6 +37,7 @@ double stretch(const RunResults& run, const std::string& from, const std::string
 std::vector<Run> strip_runs(Extent) {
   const std::string file = "verification/membrane_strip.toml";
   return {{"taut", file, {}},
+          {"both-ways", file, {"body.strip.one_way=\"off\""}},
           {"source-one-way", file, {"body.strip.one_way=\"strain\"", "time.end=\"0.9 s\""}},
           {"source-kinematics", file, {"body.strip.kinematics=\"source\""}},
           {"wrinkled", "verification/membrane_strip_wrinkled.toml", {}}};
@@ -56,10 +57,17 @@ Evaluation evaluate_strip(const CaseResults& results, Extent) {
     evaluation.checks.push_back(within("lateral over axial stress, " + label,
                                        last(run, "probe.middle.stress_yy") / strip.stress, 0, 0.02,
                                        second_order));
-    evaluation.checks.push_back(near("lateral contraction over elongation, " + label,
-                                     (1 - stretch(run, "below", "above", "y", 0.2)) / (along - 1),
-                                     law.poisson_ratio, 0.05, second_order));
+    evaluation.checks.push_back(at_least(
+        "lateral contraction over elongation, " + label,
+        (1 - stretch(run, "below", "above", "y", 0.2)) / (along - 1), 0.95 * law.poisson_ratio,
+        "Poisson's ratio; nothing holds a free edge that wrinkles let come closer"));
   }
+  const RunResults& both = results["both-ways"];
+  evaluation.checks.push_back(
+      near("lateral contraction over elongation, carrying compression",
+           (1 - stretch(both, "below", "above", "y", 0.2)) /
+               (stretch(both, "left", "right", "x", 0.4) - 1),
+           law.poisson_ratio, 0.05, second_order));
   const RunResults& source = results["source-one-way"];
   const double along = stretch(source, "left", "right", "x", 0.4);
   evaluation.checks.push_back(
@@ -242,14 +250,19 @@ Evaluation evaluate_bending(const CaseResults& results, Extent) {
   const double upper = stretch(run, "upper_left", "upper_right", "x", 0.6);
   const double curvature = std::abs(upper - lower) / 0.9;
   const references::BentStrip strip{1e5, 0.01, 1, force};
-  const auto exact = references::bent_strip(strip, moment);
+  const double exact_moment = references::bent_strip_moment(strip, curvature);
+  const auto exact = references::bent_strip(strip, exact_moment);
+  const std::string origin =
+      "an edge layer of one cell, 1/20 of the height, carries a quarter of the moment; where the edge "
+      "is, the cell does not know";
   evaluation.checks.push_back(told("moment over tension and height", moment / force,
                                    "1/6 wrinkles, 1/2 collapses", "of the mid-section"));
-  evaluation.checks.push_back(near("curvature [1/m] at this moment", curvature, exact.curvature,
-                                   0.05, "slices of 1/20 of the height"));
-  evaluation.checks.push_back(within("height of the wrinkled band [m]", band, exact.band, 0.075,
-                                     "slices of 0.05, a cell of 0.05 smears its edge"));
-  evaluation.checks.push_back(near("largest stress [Pa]", peak, exact.largest_stress, 0.07,
+  evaluation.checks.push_back(
+      near("moment at this curvature [N m]", moment, exact_moment, 0.125, origin));
+  evaluation.checks.push_back(within("height of the wrinkled band [m]", band, exact.band, 0.05,
+                                     "slices of 0.05"));
+  evaluation.checks.push_back(told("largest stress of a slice [Pa]", peak,
+                                   fmt::format("{:.4g} at the edge", exact.largest_stress),
                                    "the outermost slice lies half of its 0.05 from the edge"));
   Curve computed{"computed", {}, {}, Style::points},
       reference{"Stein and Hedgepeth", {}, {}, Style::reference};

@@ -128,8 +128,7 @@ std::vector<Run> bar_runs(Extent extent) {
     runs.push_back({fmt::format("cell-{}", cell),
                     file,
                     {fmt::format("grid.cell=[\"{} m\", \"1 m\", \"1 m\"]", cell),
-                     fmt::format("load.0.high=[\"{} m\", \"grid\", \"grid\"]", cell),
-                     fmt::format("load.1.low=[\"{} m\", \"grid\", \"grid\"]", 10 - cell),
+
                      fmt::format("time.step=\"{} us\"", 50 * cell)}});
   }
   return runs;

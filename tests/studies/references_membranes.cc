@@ -16,8 +16,9 @@ namespace {
 
 constexpr double young = 17.9e3, nu = 0.49, thickness = 8e-6;
 
-MembraneLaw law_of(StrainMeasure strain, StressMeasure stress, bool wrinkles = true) {
-  return {young, nu, thickness, strain, stress, wrinkles};
+MembraneLaw law_of(StrainMeasure strain, StressMeasure stress,
+                   Wrinkling wrinkling = Wrinkling::stress) {
+  return {young, nu, thickness, strain, stress, wrinkling};
 }
 
 const std::array<MembraneLaw, 4> laws = {
@@ -25,6 +26,8 @@ const std::array<MembraneLaw, 4> laws = {
     law_of(StrainMeasure::biot, StressMeasure::nominal),
     law_of(StrainMeasure::biot, StressMeasure::kirchhoff),
     law_of(StrainMeasure::logarithmic, StressMeasure::nominal)};
+const MembraneLaw cut =
+    law_of(StrainMeasure::logarithmic, StressMeasure::kirchhoff, Wrinkling::strain);
 
 // Taut, wrinkled along either axis, slack.
 const std::array<std::array<double, 2>, 5> stretches = {
@@ -33,7 +36,7 @@ const std::array<std::array<double, 2>, 5> stretches = {
 }  // namespace
 
 TEST_CASE("membrane law: derivatives are those of the tensions") {
-  for (const auto& law : laws) {
+  for (const auto& law : {laws[0], laws[1], laws[2], laws[3], cut}) {
     for (const auto& [a, b] : stretches) {
       const auto t = membrane_tensions(law, a, b);
       const double d = 1e-6, scale = young * thickness;
@@ -77,7 +80,7 @@ TEST_CASE("membrane law: conjugate measures derive from the energy, others do no
 TEST_CASE("wrinkling is the least energy over contractions that wrinkles take up") {
   // Brute force over wrinkle strains: the elastic strain is at least the geometric one.
   const auto law = laws[0];
-  const auto plain = law_of(StrainMeasure::logarithmic, StressMeasure::kirchhoff, false);
+  const auto plain = law_of(StrainMeasure::logarithmic, StressMeasure::kirchhoff, Wrinkling::none);
   for (const auto& [a, b] : stretches) {
     double least = stored_energy(plain, a, b);
     for (int i = 0; i <= 1200; ++i) {
@@ -111,6 +114,12 @@ TEST_CASE("strip: free, held and wrinkled") {
     CHECK(held_strip(law, 0.99, 0.9).state == MembraneState::slack);
   }
   CHECK_THROWS_AS(free_strip(laws[0], 0), ModelError);
+  // The source's law: too stiff by 1/(1 - nu^2), and it pulls across, so that no free strip exists.
+  const auto gathered = held_strip(cut, 1.03, 0.9);
+  CHECK(gathered.stress == Approx(young * std::log(1.03) / (1 - nu * nu)));
+  CHECK(gathered.lateral_stress == Approx(nu * gathered.stress));
+  CHECK_THROWS_AS(free_strip(cut, 1.03), ModelError);
+  CHECK_THROWS_AS(stored_energy(cut, 1.03, 1), ModelError);
 }
 
 TEST_CASE("bent strip of Stein and Hedgepeth: onset, band, collapse") {
