@@ -83,8 +83,8 @@ double water_speed() {
 
 constexpr int angles[] = {0, 20, 40, 60};
 
-/// Where the crest crosses y = 0 at first [m]: far enough from the face that it has not met it where
-/// the listener's reflection comes from, near enough that edges of the grid are not heard.
+/// Where the crest crosses y = 0 at first [m]: far enough from the face that it has not met it
+/// where the listener's reflection comes from, near enough that edges of the grid are not heard.
 double start(int angle) {
   return angle < 50 ? 0.3 : -0.6;
 }
@@ -94,7 +94,8 @@ std::vector<Run> oblique_runs(Extent) {
   for (const int angle : angles) {
     const double c = std::cos(angle * M_PI / 180), s = std::sin(angle * M_PI / 180);
     // A plane pulse of 0.1 m/s, half width 60 mm; its acoustic pressure is rho c v.
-    const std::string shape = fmt::format("exp(-(((x - {})*{:.9f} + y*{:.9f})/0.06)^2)", start(angle), c, s);
+    const std::string shape =
+        fmt::format("exp(-(((x - {})*{:.9f} + y*{:.9f})/0.06)^2)", start(angle), c, s);
     runs.push_back(
         {fmt::format("angle-{}", angle),
          "verification/oblique_wave.toml",

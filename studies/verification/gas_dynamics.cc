@@ -18,14 +18,15 @@ struct Quantity {
   std::string column;  ///< of profiles.csv
   std::string name;
   double FluidState::*exact;
+  bool jumps_at_contact;
 };
 
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all{
-      {"density", "density [kg/m^3]", &FluidState::density},
-      {"velocity_x", "velocity [m/s]", &FluidState::velocity},
-      {"pressure", "pressure [Pa]", &FluidState::pressure},
-      {"energy", "internal energy [J/kg]", &FluidState::internal_energy}};
+      {"density", "density [kg/m^3]", &FluidState::density, true},
+      {"velocity_x", "velocity [m/s]", &FluidState::velocity, false},
+      {"pressure", "pressure [Pa]", &FluidState::pressure, false},
+      {"energy", "internal energy [J/kg]", &FluidState::internal_energy, true}};
   return all;
 }
 
@@ -94,7 +95,10 @@ void check_orders(const CaseResults& results, const std::string& prefix,
       if (sizes.size() == 2) {
         evaluation.checks.push_back(
             converges("the L1 error of " + quantity.name + ", " + prefix + "100 to 200", sizes,
-                      errors, order, "first order at captured shocks and contacts"));
+                      errors, quantity.jumps_at_contact ? std::min(order, 2. / 3) : order,
+                      quantity.jumps_at_contact
+                          ? "a contact that spreads in a second-order scheme: 2/3"
+                          : "captured shocks: 1, less what the artificial viscosity spreads"));
       }
       if (sizes.size() > 2) {
         evaluation.checks.push_back(

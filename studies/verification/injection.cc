@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "studies/references/indented_egg.h"
 #include "studies/verification/case_list.h"
 
 namespace zona::studies::verification {
@@ -99,6 +100,15 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
   evaluation.checks.push_back(at_most(
       "spread of the displacement over P_infinity", spread, 0.05,
       "a volume changes by p / (5 P_infinity), 1e-6 at 1 kPa: no displacement can depend on it"));
+  const auto egg = references::indent_egg(references::egg_of_the_source(), {0.5e-6}).back();
+  auto summed_egg = references::egg_of_the_source();
+  summed_egg.summed = true;
+  const auto summed = references::indent_egg(summed_egg, {0.5e-6}).back();
+  evaluation.checks.push_back(told("equilibrium of a membrane full of fluid on a plate [um]",
+                                   egg.displacement * 1e6, "7.466 (experiment)",
+                                   fmt::format("axisymmetric, by Newton's method; {:.3g} with the "
+                                               "source's summed strains; pressure {:.3g} Pa",
+                                               summed.displacement * 1e6, egg.pressure)));
   const Curve limit{"experiment",
                     {0, extent == Extent::quick ? 250. : 500.},
                     {experiment, experiment},
@@ -108,11 +118,16 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
       {"displacement", "Figure 5.6: axial displacement of the pipette.", {pressures}, {}});
   if (!others.curves.empty()) evaluation.figures.back().panels.push_back(others);
   evaluation.remarks = {
-      "Table 5.1 falls from 7.8 to 4.6 um with P_infinity. That cannot be physics: at the "
-      "pressures "
-      "of some kPa that 0.5 uN raise, the cytoplasm's volume changes by 1e-6 for any of its "
-      "values. "
-      "What the runs depend on instead (cell, points, kinematics) is told above."};
+      fmt::format(
+          "Table 5.1 falls from 7.8 to 4.6 um with P_infinity. That cannot be physics: at the "
+          "{:.0f} Pa that 0.5 uN raise, the cytoplasm's volume changes by {:.1g} for any of "
+          "its values. What the runs depend on instead is told above.",
+          egg.pressure, egg.volume_change),
+      fmt::format(
+          "The equilibrium of 5.2 as it is stated lies at {:.1f} um on a plate, four times "
+          "the experiment's 7.466 um, which would take a far stiffer zona or another support. "
+          "So the experiment is no criterion here.",
+          egg.displacement * 1e6)};
   return evaluation;
 }
 

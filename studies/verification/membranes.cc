@@ -63,11 +63,10 @@ Evaluation evaluate_strip(const CaseResults& results, Extent) {
         "Poisson's ratio; nothing holds a free edge that wrinkles let come closer"));
   }
   const RunResults& both = results["both-ways"];
-  evaluation.checks.push_back(
-      near("lateral contraction over elongation, carrying compression",
-           (1 - stretch(both, "below", "above", "y", 0.2)) /
-               (stretch(both, "left", "right", "x", 0.4) - 1),
-           law.poisson_ratio, 0.05, second_order));
+  evaluation.checks.push_back(near("lateral contraction over elongation, carrying compression",
+                                   (1 - stretch(both, "below", "above", "y", 0.2)) /
+                                       (stretch(both, "left", "right", "x", 0.4) - 1),
+                                   law.poisson_ratio, 0.05, second_order));
   const RunResults& source = results["source-one-way"];
   const double along = stretch(source, "left", "right", "x", 0.4);
   evaluation.checks.push_back(
@@ -108,7 +107,7 @@ Evaluation evaluate_shear(const CaseResults& results, Extent) {
   const double gamma = 0.02;
   const auto field = references::finitely_sheared(law, 1, gamma);
   MembraneLaw both_ways = law;
-  both_ways.wrinkles = false;
+  both_ways.wrinkling = references::Wrinkling::none;
   const auto two_way = references::finitely_sheared(both_ways, 1, gamma);
   const double scale = law.youngs_modulus * gamma / 4;
   const std::string origin =
@@ -253,14 +252,15 @@ Evaluation evaluate_bending(const CaseResults& results, Extent) {
   const double exact_moment = references::bent_strip_moment(strip, curvature);
   const auto exact = references::bent_strip(strip, exact_moment);
   const std::string origin =
-      "an edge layer of one cell, 1/20 of the height, carries a quarter of the moment; where the edge "
+      "an edge layer of one cell, 1/20 of the height, carries a quarter of the moment; where the "
+      "edge "
       "is, the cell does not know";
   evaluation.checks.push_back(told("moment over tension and height", moment / force,
                                    "1/6 wrinkles, 1/2 collapses", "of the mid-section"));
   evaluation.checks.push_back(
       near("moment at this curvature [N m]", moment, exact_moment, 0.125, origin));
-  evaluation.checks.push_back(within("height of the wrinkled band [m]", band, exact.band, 0.05,
-                                     "slices of 0.05"));
+  evaluation.checks.push_back(
+      within("height of the wrinkled band [m]", band, exact.band, 0.05, "slices of 0.05"));
   evaluation.checks.push_back(told("largest stress of a slice [Pa]", peak,
                                    fmt::format("{:.4g} at the edge", exact.largest_stress),
                                    "the outermost slice lies half of its 0.05 from the edge"));
