@@ -75,7 +75,7 @@ TEST_CASE("zona verify computes what is missing, and only that") {
   const Answer first = call(command);
   CHECK(first.code == 0);
   CHECK_THAT(first.text, Contains("pipette_frequencies: pass") && Contains("1 of 1 cases passed"));
-  CHECK_THAT(read_text(scratch / "verification.md"), Contains("| frequency 1 of ResultTable 5.6"));
+  CHECK_THAT(read_text(scratch / "verification.md"), Contains("| frequency 1 of Table 5.6"));
 
   const fs::path run = fs::path(scratch.path()) / "pipette_frequencies" / "elements-20";
   const auto computed = fs::last_write_time(run / "summary.json");
