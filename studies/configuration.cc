@@ -64,6 +64,10 @@ std::vector<double> Configuration::quantities(const std::string& key) const {
   return of_kind(key, Parameter::Kind::quantity, true).numbers;
 }
 
+std::vector<double> Configuration::numbers(const std::string& key) const {
+  return of_kind(key, Parameter::Kind::number, true).numbers;
+}
+
 std::vector<long> Configuration::integers(const std::string& key) const {
   const std::vector<double>& numbers = of_kind(key, Parameter::Kind::integer, true).numbers;
   return {numbers.begin(), numbers.end()};

@@ -46,6 +46,7 @@ class Configuration {
   const std::string& text(const std::string& key) const;     ///< as written, of any kind of text
   std::filesystem::path path(const std::string& key) const;  ///< absolute; empty means none
   std::vector<double> quantities(const std::string& key) const;  ///< SI
+  std::vector<double> numbers(const std::string& key) const;
   std::vector<long> integers(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;  ///< as written, e.g. fluid names
 

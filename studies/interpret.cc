@@ -143,6 +143,7 @@ void add_item(const Parameter& parameter, const TomlValue& item, Setting& settin
 }
 
 void check_count(const Parameter& parameter, std::size_t count) {
+  if (count == 0 && parameter.may_be_empty) return;
   if (count == 0) throw Unfit("the list is empty; " + advice(parameter));
   if (parameter.exact_count != 0 && count != parameter.exact_count) {
     throw Unfit(fmt::format("the list has {} items; {}", count, advice(parameter)));

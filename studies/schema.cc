@@ -110,6 +110,11 @@ Parameter& Parameter::exactly(std::size_t count) {
   return *this;
 }
 
+Parameter& Parameter::or_none() {
+  may_be_empty = true;
+  return *this;
+}
+
 Parameter& Parameter::without_default() {
   default_toml.clear();
   return *this;
@@ -186,6 +191,14 @@ Parameter& Schema::number(const std::string& key, double value) {
   return add(key, Parameter::Kind::number, fmt::format("{}", value));
 }
 
+Parameter& Schema::numbers(const std::string& key, const std::vector<double>& values) {
+  std::vector<std::string> items;
+  for (const double value : values) items.push_back(fmt::format("{}", value));
+  Parameter& parameter = add(key, Parameter::Kind::number, toml_list(items));
+  parameter.is_list = true;
+  return parameter;
+}
+
 Parameter& Schema::integer(const std::string& key, long value) {
   return add(key, Parameter::Kind::integer, std::to_string(value));
 }
@@ -205,6 +218,16 @@ Parameter& Schema::boolean(const std::string& key, bool value) {
 Parameter& Schema::choice(const std::string& key, const std::vector<std::string>& choices) {
   Parameter& parameter = add(key, Parameter::Kind::choice, quoted_toml(choices.front()));
   parameter.choices = choices;
+  return parameter;
+}
+
+Parameter& Schema::choices(const std::string& key, const std::vector<std::string>& allowed,
+                           const std::vector<std::string>& values) {
+  std::vector<std::string> items;
+  for (const std::string& value : values) items.push_back(quoted_toml(value));
+  Parameter& parameter = add(key, Parameter::Kind::choice, toml_list(items));
+  parameter.choices = allowed;
+  parameter.is_list = true;
   return parameter;
 }
 

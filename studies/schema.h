@@ -37,6 +37,7 @@ struct Parameter {
   std::string default_toml;  ///< as it would stand in a study file; empty when required
   bool is_list = false;
   std::size_t exact_count = 0;       ///< length a list must have; 0 allows any but an empty one
+  bool may_be_empty = false;         ///< of a list
   bool may_be_auto = false;          ///< "auto" is allowed: the study chooses
   std::vector<NamedValue> names;     ///< of a quantity
   std::vector<std::string> choices;  ///< of a choice
@@ -51,6 +52,7 @@ struct Parameter {
   Parameter& or_auto();
   Parameter& or_named(std::vector<NamedValue> named_values);
   Parameter& exactly(std::size_t count);
+  Parameter& or_none();
   /// Removes the default: every study file must set the key.
   Parameter& without_default();
   Parameter& called(std::string symbol_in_the_source);
@@ -94,11 +96,14 @@ class Schema {
   Parameter& quantities(const std::string& key, const std::string& unit,
                         const std::vector<std::string>& values);
   Parameter& number(const std::string& key, double value);
+  Parameter& numbers(const std::string& key, const std::vector<double>& values);
   Parameter& integer(const std::string& key, long value);
   Parameter& integers(const std::string& key, const std::vector<long>& values);
   Parameter& boolean(const std::string& key, bool value);
   /// The first choice is the default.
   Parameter& choice(const std::string& key, const std::vector<std::string>& choices);
+  Parameter& choices(const std::string& key, const std::vector<std::string>& allowed,
+                     const std::vector<std::string>& values);
   Parameter& text(const std::string& key, const std::string& value);
   /// A file that is read; relative paths start at the study file. An empty path means none.
   Parameter& file(const std::string& key, const std::string& value);

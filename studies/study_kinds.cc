@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "studies/material_point_study.h"
 #include "studies/piercing_study.h"
 #include "studies/vibration_study.h"
 
@@ -11,10 +12,12 @@ const std::vector<StudyKind>& study_kinds() {
   static const Schema vibration = make_vibration_schema();
   static const Schema piercing = make_piercing_schema();
   static const Schema comparison = make_comparison_schema();
+  static const Schema material_point = make_material_point_schema();
   static const std::vector<StudyKind> kinds = {
       {&vibration, prepare_vibration, estimate_vibration},
       {&piercing, prepare_piercing, estimate_piercing},
       {&comparison, prepare_comparison, estimate_comparison},
+      {&material_point, prepare_material_point, estimate_material_point},
   };
   return kinds;
 }
