@@ -81,9 +81,8 @@ Eigen::VectorXd foretold(FreePart part, const SymmetricTensor& start,
   return strains - part.strains_for(k, stress) / fraction;
 }
 
-}  // namespace
-
-double step_to(SinglePoint& point, const SymmetricTensor& target, const FreeComponents& free) {
+/// The whole step at once; as step_to.
+double try_step(SinglePoint& point, const SymmetricTensor& target, const FreeComponents& free) {
   const SinglePoint start = point;
   const FreePart part(start, target, free);
   if (part.size() == 0) return point.strain_to(target), 0.0;
@@ -105,6 +104,26 @@ double step_to(SinglePoint& point, const SymmetricTensor& target, const FreeComp
     correction = part.strains_for(part.stiffness(strains, stress), stress);
   }
   return least;
+}
+
+double step_in_parts(SinglePoint& point, const SymmetricTensor& target, const FreeComponents& free,
+                     int halvings) {
+  const SinglePoint start = point;
+  const double left = try_step(point, target, free);
+  if (left <= 1e-9 * point.youngs_modulus() || halvings == 0) return left;
+  point = start;
+  const SymmetricTensor from = start.sample().strain;
+  SymmetricTensor middle;
+  for (int c = 0; c < 6; ++c) middle[c] = 0.5 * (from[c] + target[c]);
+  step_in_parts(point, middle, free, halvings - 1);
+  return step_in_parts(point, target, free, halvings - 1);
+}
+
+}  // namespace
+
+double step_to(SinglePoint& point, const SymmetricTensor& target, const FreeComponents& free) {
+  constexpr int most_halvings = 6;
+  return step_in_parts(point, target, free, most_halvings);
 }
 
 }  // namespace zona::mpm
