@@ -40,9 +40,9 @@ struct CouetteCell {
     const Box all{grid.origin(), grid.upper_corner()};
     model.held.push_back({all, {false, true, true}, {}});
     model.held.push_back({{all.low, {h, h, 0}}, {true, false, false}, {}});
-    model.held.push_back({{{0, 0, height}, all.high}, {true, false, false}, [](double, const Vector3d&) {
-                            return Vector3d(speed, 0, 0);
-                          }});
+    model.held.push_back({{{0, 0, height}, all.high},
+                          {true, false, false},
+                          [](double, const Vector3d&) { return Vector3d(speed, 0, 0); }});
     return model;
   }
   /// Largest error of the points' velocity over the speed of the wall, at `time`.
@@ -89,9 +89,9 @@ TEST_CASE("What a held edge gives is the momentum that is missing") {
   const Vector3d end_force(3, 0, 0);
   model.forces.push_back({"bar", {{0.9, 0, 0}, {1, 0.1, 0.1}}, [&](double) { return end_force; }});
   model.held.push_back({{{0, 0, 0}, {0, 0.1, 0.1}}, {true, true, true}, {}});
-  model.held.push_back({{{0, 0, 0}, {1.2, 0.1, 0.1}}, {false, true, true}, [](double t, const Vector3d&) {
-                          return Vector3d(0, 0, 0.01 * t);
-                        }});
+  model.held.push_back({{{0, 0, 0}, {1.2, 0.1, 0.1}},
+                        {false, true, true},
+                        [](double t, const Vector3d&) { return Vector3d(0, 0, 0.01 * t); }});
   Solver solver(std::move(model), 5e-4);
   Vector3d impulse = Vector3d::Zero();
   double weighed = 0;

@@ -109,9 +109,10 @@ Model loaded_egg(bool objective, const MembraneLaw& law) {
   model.bodies[1].average_volume_strain = true;
   model.pressures.push_back({"shell", [](double) { return 500.0; }});
   model.forces.push_back({"inside", {low, high}, [](double) { return Vector3d(1e-7, 0, 2e-7); }});
-  model.held.push_back({{low, {low.x(), high.y(), high.z()}}, {true, false, true}, [](double t, const Vector3d&) {
-                          return Vector3d(0.1 * std::sin(1e6 * t), 0, 0.01);
-                        }});
+  model.held.push_back(
+      {{low, {low.x(), high.y(), high.z()}}, {true, false, true}, [](double t, const Vector3d&) {
+         return Vector3d(0.1 * std::sin(1e6 * t), 0, 0.01);
+       }});
   return model;
 }
 

@@ -33,8 +33,8 @@ void check_round_trip(const Configuration& study) {
 }  // namespace
 
 TEST_CASE("a resolved study loads to the same configuration") {
-  for (const std::string name :
-       {"vibration", "piercing_lateral", "piercing_axial", "piercing_beam", "mercury_vs_water"}) {
+  for (const std::string name : {"vibration", "piercing_lateral", "piercing_axial", "piercing_beam",
+                                 "mercury_vs_water", "point_uniaxial", "point_zona"}) {
     check_round_trip(load_configuration(ZONA_SOURCE_DIR "/studies/" + name + ".toml"));
   }
   const ScratchDirectory scratch;
