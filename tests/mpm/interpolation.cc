@@ -67,6 +67,29 @@ TEST_CASE("A bar that drifts through the cells: quadratic functions converge, li
   CHECK(stalled.stress > 10 * fine.stress);
 }
 
+TEST_CASE("The energy of a closed box stays, if the mean pressure does the work") {
+  const auto interpolation = GENERATE(Interpolation::linear, Interpolation::quadratic);
+  const auto average = GENERATE(false, true);
+  const auto gained = [&](EnergyIncrement increment) {
+    const VortexModel vortex{8, 3, average, 0.01, 0, interpolation, increment};
+    Solver solver = vortex.solver();
+    const BodyTotals start = totals(solver.bodies()[0]);
+    while (solver.time() < 0.5) solver.step();
+    const BodyTotals end = totals(solver.bodies()[0]);
+    return (end.kinetic_energy + end.stored_energy - start.kinetic_energy - start.stored_energy) /
+           start.kinetic_energy;
+  };
+  // The noise of the pressure heats at first order in the step: by 43 % of the vortex' energy for
+  // linear functions, 2 % to 6 % for the others. What the mean pressure leaves is the noise that
+  // linear functions do not see, 5 %, and what mapping between points and grid takes, 0.4 %.
+  const double end = gained(EnergyIncrement::end_pressure);
+  const double mean = gained(EnergyIncrement::mean_pressure);
+  INFO(end << " with the end pressure, " << mean << " with the mean");
+  const bool noisy = interpolation == Interpolation::linear && !average;
+  CHECK(std::abs(mean) < (noisy ? 0.06 : 0.005));
+  CHECK(end > 5 * std::abs(mean));
+}
+
 TEST_CASE("Quadratic functions quiet the pressure of a vortex without averaging") {
   const auto after = [](Interpolation interpolation) {
     const VortexModel vortex{8, 3, false, 0.01, 0, interpolation};
