@@ -26,10 +26,10 @@ void declare_volumes(Schema& schema) {
   declare_box(schema, "body", "The box.", {{"shape", {"box"}}});
   required_point(schema, "body.center")
       .only_with("shape", {"sphere", "disc", "icosphere"})
-      .doc("Centre.");
+      .doc("Centre of the shape.");
   required_length(schema, "body.radius")
       .only_with("shape", {"sphere", "cylinder", "disc", "icosphere"})
-      .doc("Radius.");
+      .doc("Radius of the shape.");
   required_point(schema, "body.from")
       .only_with("shape", {"cylinder", "tube"})
       .doc("Centre of one end.");
@@ -176,7 +176,7 @@ void declare_fluids_of_scene(Schema& schema) {
 }
 
 void declare_membrane(Schema& schema) {
-  required_length(schema, "body.thickness").only_with("material", {"membrane"}).doc("Thickness.");
+  required_length(schema, "body.thickness").only_with("material", {"membrane"}).doc("Thickness of the membrane.");
   schema.choice("body.kinematics", {"source", "objective"})
       .only_with("material", {"membrane"})
       .doc(

@@ -122,8 +122,8 @@ TEST_CASE("the study kind must be known") {
   CHECK_THAT(problems_of(""), Contains("s.toml: study: the kind of the study is missing"));
   CHECK_THAT(problems_of("study = \"pierce\""),
              Contains("s.toml:1: study: \"pierce\" is not a study "
-                      "kind; needs one of vibration, piercing or "
-                      "comparison; did you mean \"piercing\"?"));
+                      "kind; needs one of vibration, piercing, "
+                      "comparison or scene; did you mean \"piercing\"?"));
   CHECK_THAT(problems_of("study = 3"), Contains("3 is not a study kind"));
 }
 
