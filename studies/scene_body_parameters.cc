@@ -176,7 +176,9 @@ void declare_fluids_of_scene(Schema& schema) {
 }
 
 void declare_membrane(Schema& schema) {
-  required_length(schema, "body.thickness").only_with("material", {"membrane"}).doc("Thickness of the membrane.");
+  required_length(schema, "body.thickness")
+      .only_with("material", {"membrane"})
+      .doc("Thickness of the membrane.");
   schema.choice("body.kinematics", {"source", "objective"})
       .only_with("material", {"membrane"})
       .doc(
