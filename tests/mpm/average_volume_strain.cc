@@ -80,7 +80,7 @@ Solver rod_in_box(bool average) {
                       {speed * std::sin(omega * t), 0, 0}};
   });
   model.bodies.push_back({"rod", std::move(rod), std::move(rigid), {}});
-  Solver solver(std::move(model), 2.7e-9, 2);
+  Solver solver(std::move(model), 2.7e-9);
   while (solver.time() < 25e-6) solver.step();
   return solver;
 }

@@ -8,8 +8,9 @@
 struct BarModel {
   zona::mpm::BackgroundGrid grid;
 
-  BarModel(int n, double cell)
-      : grid(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(cell), {n, 1, 1}) {}
+  BarModel(int n, double cell,
+           zona::mpm::Interpolation interpolation = zona::mpm::Interpolation::linear)
+      : grid(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(cell), {n, 1, 1}, interpolation) {}
 
   /// Points of cells with low <= x < high, `per_cell` of them.
   zona::mpm::MaterialPoints points(double low, double high, std::array<int, 3> per_cell,

@@ -1,40 +1,51 @@
 #include "mpm/cell_index.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "mpm/cell.h"
 #include "mpm/errors.h"
 
 using namespace zona::mpm;
 
 namespace {
 
-BackgroundGrid grid_of(int nx, int ny, int nz) {
-  return {Eigen::Vector3d(-1, 0, 2), Eigen::Vector3d(0.5, 0.25, 1), {nx, ny, nz}};
+BackgroundGrid grid_of(int nx, int ny, int nz,
+                       Interpolation interpolation = Interpolation::linear) {
+  return {Eigen::Vector3d(-1, 0, 2), Eigen::Vector3d(0.5, 0.25, 1), {nx, ny, nz}, interpolation};
 }
 
 }  // namespace
 
 TEST_CASE("Bricks of one colour share no node and cover every cell once") {
-  const BackgroundGrid grid = grid_of(13, 9, 1);
-  std::vector<int> cells_covered(13 * 9, 0);
+  const auto interpolation = GENERATE(Interpolation::linear, Interpolation::quadratic);
+  const auto cells = GENERATE(std::array<int, 3>{13, 9, 1}, std::array<int, 3>{9, 5, 8},
+                              std::array<int, 3>{10, 1, 11});
+  const BackgroundGrid grid = grid_of(cells[0], cells[1], cells[2], interpolation);
+  std::vector<int> covered(cells[0] * cells[1] * cells[2], 0);
+  bool shared = false;
   for (const auto& colour : grid.bricks_by_colour()) {
     std::vector<int> owner(grid.node_count(), -1);
     for (int b : colour) {
       const Brick& brick = grid.bricks()[b];
-      for (int j = 0; j <= brick.size[1]; ++j) {
-        for (int i = 0; i <= brick.size[0]; ++i) {
-          const int node = grid.node_index(brick.first_cell[0] + i, brick.first_cell[1] + j, 0);
-          CHECK((owner[node] == -1 || owner[node] == b));
-          owner[node] = b;
-          if (i < brick.size[0] && j < brick.size[1]) {
-            ++cells_covered[(brick.first_cell[1] + j) * 13 + brick.first_cell[0] + i];
-          }
+      for (int c = 0; c < Brick::cell_count; ++c) {
+        const Cell cell = make_cell(grid, brick, c);
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis)
+          inside &= cell.index[axis] < brick.first_cell[axis] + brick.size[axis];
+        if (!inside) continue;
+        ++covered[(cell.index[2] * cells[1] + cell.index[1]) * cells[0] + cell.index[0]];
+        for (int n = 0; n < grid.nodes_per_cell(); ++n) {
+          int& owned = owner.at(cell.first_node + grid.node_offsets()[n]);
+          shared |= owned != -1 && owned != b;
+          owned = b;
         }
       }
     }
   }
-  for (int covered : cells_covered) CHECK(covered == 1);
+  CHECK_FALSE(shared);
+  CHECK(std::all_of(covered.begin(), covered.end(), [](int times) { return times == 1; }));
 }
 
 TEST_CASE("The index kept up to date equals one built anew") {

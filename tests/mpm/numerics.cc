@@ -39,8 +39,8 @@ BodyTotals after(double pic, int steps) {
 }
 
 /// A bar of 20 cells that hangs from its fixed end, x = 0, in gravity along x.
-Solver hanging_bar(double damping) {
-  BarModel bar(22, 0.05);
+Solver hanging_bar(double damping, Interpolation interpolation = Interpolation::linear) {
+  BarModel bar(22, 0.05, interpolation);
   Model model{bar.grid, {}, BarModel::faces(F::fixed, F::free), Vector3d(9.81, 0, 0)};
   auto points = bar.points(0, 1, {3, 2, 2}, 1000);
   LinearElastic solid({1000, 1e8, 0}, points.size());

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <random>
 
+#include "mpm/diagnostics.h"
 #include "mpm/errors.h"
 #include "mpm/lattice.h"
 
@@ -43,9 +45,11 @@ Body corner_cube(const char* name, const BackgroundGrid& grid, const std::array<
 /// A small egg in a box: water, a membrane sphere that will fail, cubes of every solid law in
 /// corners, a moving rod.
 Model small_egg(FaceCondition face, bool objective = false, bool with_rod = true,
+                Interpolation interpolation = Interpolation::linear,
                 const MembraneLaw& law = Elastodamage{}) {
   const double cell = 1e-5;
-  BackgroundGrid grid(Vector3d(-1e-5, 2e-5, 0), Vector3d::Constant(cell), {10, 9, 11});
+  BackgroundGrid grid(Vector3d(-1e-5, 2e-5, 0), Vector3d::Constant(cell), {10, 9, 11},
+                      interpolation);
   const Vector3d center = grid.origin() + 0.5 * (grid.upper_corner() - grid.origin());
   const double radius = 3e-5;
   const auto in_egg = [&](const Vector3d& x) { return (x - center).norm() < radius; };
@@ -101,8 +105,8 @@ Vector3d momentum_of(const Solver& solver) {
 
 /// The egg under pressure, its volume averaged, its rod's surroundings pushed, a wall of the box
 /// shaken.
-Model loaded_egg(bool objective, const MembraneLaw& law) {
-  Model model = small_egg(FaceCondition::absorbing, objective, true, law);
+Model loaded_egg(bool objective, Interpolation interpolation, const MembraneLaw& law) {
+  Model model = small_egg(FaceCondition::absorbing, objective, true, interpolation, law);
   const Vector3d low = model.grid.origin(), high = model.grid.upper_corner();
   model.bodies[1].average_volume_strain = true;
   model.pressures.push_back({"shell", [](double) { return 500.0; }});
@@ -153,11 +157,12 @@ void check_same(const Body& x, const Body& y) {
 }  // namespace
 
 TEST_CASE("Any number of threads gives the same bits") {
+  const auto shape = GENERATE(Interpolation::linear, Interpolation::quadratic);
   for (const auto& [objective, law] : std::vector<std::pair<bool, MembraneLaw>>{
            {false, weak}, {true, weak}, {false, weak_von_mises}, {true, IncrementalElastic{}}}) {
-    Solver one(loaded_egg(objective, law), 5e-9, 1);
-    Solver two(loaded_egg(objective, law), 5e-9, 2);
-    Solver three(loaded_egg(objective, law), 5e-9, 3);
+    Solver one(loaded_egg(objective, shape, law), 4e-9, 1);
+    Solver two(loaded_egg(objective, shape, law), 4e-9, 2);
+    Solver three(loaded_egg(objective, shape, law), 4e-9, 3);
     for (int s = 0; s < 250; ++s) {
       one.step();
       two.step();
@@ -180,7 +185,8 @@ TEST_CASE("Any number of threads gives the same bits") {
 }
 
 TEST_CASE("Momentum is conserved to round-off where nothing holds the bodies, mass exactly") {
-  Model model = small_egg(FaceCondition::free, false, false);
+  const auto shape = GENERATE(Interpolation::linear, Interpolation::quadratic);
+  Model model = small_egg(FaceCondition::free, false, false, shape);
   double scale = 0;
   for (auto& body : model.bodies) {
     for (int p = 0; p < body.points.size(); ++p) {
@@ -207,8 +213,9 @@ TEST_CASE("Momentum is conserved to round-off where nothing holds the bodies, ma
 TEST_CASE("Energy in a closed box: motion turns into elastic and internal energy, little is lost") {
   // A standing sound wave in a box of water, also with averaged volumetric strain rates.
   const bool average = GENERATE(false, true);
+  const auto shape = GENERATE(Interpolation::linear, Interpolation::quadratic);
   const int n = 20;
-  BackgroundGrid grid(Vector3d::Zero(), Vector3d::Constant(0.05), {n, 1, 1});
+  BackgroundGrid grid(Vector3d::Zero(), Vector3d::Constant(0.05), {n, 1, 1}, shape);
   const auto lattice = fill_cells(grid, {3, 3, 3}, [](const Vector3d&) { return true; });
   auto points = make_points(lattice.places, masses(lattice, 1000));
   for (int p = 0; p < points.size(); ++p)
@@ -245,10 +252,12 @@ TEST_CASE("Energy in a closed box: motion turns into elastic and internal energy
       period_of_minimum = solver.time();
     }
   }
-  // All motion is gone after a quarter period, L / (2 c), to within a step and the grid's
-  // dispersion, (pi/n)^2 / 24 = 0.1 %. Velocities and stresses are half a step apart: omega dt in
-  // the energy.
-  CHECK(std::abs(period_of_minimum - 0.5 / c) < dt + 0.001 * 0.5 / c);
+  // All motion is gone after a quarter period, L / (2 c), to within a step and the dispersion of
+  // lumped masses and of mapping back and forth: measured over n = 10 to 40 it is 0.13 (pi/n)^2 for
+  // linear functions and 0.25 (pi/n)^2 for quadratic ones. Velocities and stresses are half a step
+  // apart: omega dt in the energy.
+  const double dispersion = (shape == Interpolation::linear ? 0.13 : 0.25) * std::pow(M_PI / n, 2);
+  CHECK(std::abs(period_of_minimum - 0.5 / c) < dt + dispersion * 0.5 / c);
   CHECK(smallest < 1e-3 * start);
   CHECK(std::abs(energy(kinetic) / start - 1) < M_PI * c * dt);
 }
@@ -263,6 +272,29 @@ TEST_CASE("A step above the critical one is refused with the number that is allo
                     Catch::Contains("critical step of 5.712e-09 s"));
   CHECK_THROWS_AS(Solver(model, 0), ModelError);
   CHECK_THROWS_AS(Solver(model, 1e-9, 0), ModelError);
+}
+
+TEST_CASE("The critical step is stable and not far from the largest one") {
+  const auto interpolation = GENERATE(Interpolation::linear, Interpolation::quadratic);
+  const auto face = GENERATE(FaceCondition::free, FaceCondition::roller, FaceCondition::absorbing);
+  const BackgroundGrid grid(Vector3d::Zero(), Vector3d::Ones(), {5, 6, 5}, interpolation);
+  const auto lattice = fill_cells(grid, {2, 2, 2}, [](const Vector3d&) { return true; });
+  auto points = make_points(lattice.places, lattice.volumes);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(-1e-9, 1e-9);
+  for (auto& component : points.velocity) {
+    for (double& v : component) v = noise(random);
+  }
+  Fluid fluid({1, {4, 0.2}, 0, 0, {}}, points.size());
+  Model model{grid, {}, {face, face, face, face, face, face}, Vector3d::Zero()};
+  model.bodies.push_back({"fluid", std::move(points), std::move(fluid), {}});
+  const double critical = critical_step(grid, model.bodies).seconds;
+  CHECK(critical == Approx(interpolation == Interpolation::linear ? 1 : std::sqrt(2.0 / 3)));
+  const double allowed = face == FaceCondition::absorbing ? 0.85 : 1;
+  Solver solver(std::move(model), allowed * critical);
+  const double start = totals(solver.bodies()[0]).kinetic_energy;
+  for (int s = 0; s < 1000; ++s) solver.step();
+  CHECK(totals(solver.bodies()[0]).kinetic_energy < start);
 }
 
 TEST_CASE("A point that leaves the grid and a NaN stop the run with their whereabouts") {

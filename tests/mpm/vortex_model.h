@@ -13,13 +13,15 @@ struct VortexModel {
   bool average_volume_strain = false;
   double viscosity = 0.01;  ///< [Pa s]
   double pic = 0;
+  zona::mpm::Interpolation interpolation = zona::mpm::Interpolation::linear;
   static constexpr double sound = 20, k = M_PI;
 
   zona::mpm::Solver solver() const {
     using namespace zona::mpm;
     using F = FaceCondition;
     const double h = 1.0 / cells;
-    BackgroundGrid grid(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(h), {cells, 1, cells});
+    BackgroundGrid grid(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(h), {cells, 1, cells},
+                        interpolation);
     const auto lattice = fill_cells(grid, {per_cell, per_cell, per_cell},
                                     [](const Eigen::Vector3d&) { return true; });
     const StiffenedGas state{4, sound * sound / 5};
