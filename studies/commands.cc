@@ -35,7 +35,7 @@ int check_study(const std::filesystem::path& file, const std::vector<std::string
 int list_studies() {
   fmt::print("Study kinds:\n");
   for (const StudyKind& kind : study_kinds()) {
-    fmt::print("  {:<12} {}\n", kind.schema->kind(), kind.schema->summary());
+    fmt::print("  {:<14} {}\n", kind.schema->kind(), kind.schema->summary());
   }
   fmt::print("\nBundled study files:\n");
   for (const BundledStudy& study : bundled_studies()) {

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "studies/material_point_study.h"
 #include "studies/piercing_study.h"
 #include "studies/scene_study.h"
 #include "studies/vibration_study.h"
@@ -13,11 +14,13 @@ const std::vector<StudyKind>& study_kinds() {
   static const Schema piercing = make_piercing_schema();
   static const Schema comparison = make_comparison_schema();
   static const Schema scene = make_scene_schema();
+  static const Schema material_point = make_material_point_schema();
   static const std::vector<StudyKind> kinds = {
       {&vibration, prepare_vibration, estimate_vibration},
       {&piercing, prepare_piercing, estimate_piercing},
       {&comparison, prepare_comparison, estimate_comparison},
       {&scene, prepare_scene, estimate_scene},
+      {&material_point, prepare_material_point, estimate_material_point},
   };
   return kinds;
 }

@@ -39,5 +39,6 @@ Schema make_vibration_schema();
 Schema make_piercing_schema();
 Schema make_comparison_schema();
 Schema make_scene_schema();
+Schema make_material_point_schema();
 
 }  // namespace zona::studies

@@ -20,6 +20,7 @@ TEST_CASE("a file with defaults alone is valid") {
   CHECK(piercing("[grid]\n").empty());
   CHECK(problems_of("study = \"vibration\"").empty());
   CHECK(problems_of("study = \"comparison\"").empty());
+  CHECK(problems_of("study = \"material_point\"").empty());
 }
 
 TEST_CASE("a quantity needs the right unit") {
@@ -123,7 +124,7 @@ TEST_CASE("the study kind must be known") {
   CHECK_THAT(problems_of("study = \"pierce\""),
              Contains("s.toml:1: study: \"pierce\" is not a study "
                       "kind; needs one of vibration, piercing, "
-                      "comparison or scene; did you mean \"piercing\"?"));
+                      "comparison, scene or material_point; did you mean \"piercing\"?"));
   CHECK_THAT(problems_of("study = 3"), Contains("3 is not a study kind"));
 }
 
