@@ -26,7 +26,7 @@ void declare_volumes(Schema& schema) {
   declare_box(schema, "body", "The box.", {{"shape", {"box"}}});
   required_point(schema, "body.center")
       .only_with("shape", {"sphere", "disc", "icosphere"})
-      .doc("Centre of the shape.");
+      .doc("Place of its centre.");
   required_length(schema, "body.radius")
       .only_with("shape", {"sphere", "cylinder", "disc", "icosphere"})
       .doc("Radius of the shape.");
@@ -179,7 +179,7 @@ void declare_fluids_of_scene(Schema& schema) {
 void declare_membrane(Schema& schema) {
   required_length(schema, "body.thickness")
       .only_with("material", {"membrane"})
-      .doc("Thickness of the membrane.");
+      .doc("Thickness at first.");
   schema.choice("body.kinematics", {"source", "objective"})
       .only_with("material", {"membrane"})
       .doc(
