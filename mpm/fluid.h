@@ -12,12 +12,19 @@ struct ArtificialViscosity {
   double linear = 0;     ///< c_1 [-]
 };
 
+/// Which pressure does the work of a step in (4.40).
+enum class EnergyIncrement {
+  end_pressure,  ///< that at its end, as in the source: heats at first order in the step
+  mean_pressure  ///< the mean of both ends: a cycle leaves no heat, to second order
+};
+
 struct FluidProperties {
   double density;              ///< initial [kg/m^3]
   StiffenedGas state;          ///< equation of state
   double pressure = 0;         ///< initial [Pa]
   double shear_viscosity = 0;  ///< mu [Pa s]; the bulk viscosity is -2 mu / 3 (Stokes)
   ArtificialViscosity artificial_viscosity;
+  EnergyIncrement energy_increment = EnergyIncrement::end_pressure;
 };
 
 /// A viscous compressible fluid (4.28) with internal energy.
@@ -78,10 +85,16 @@ inline LaneMask Fluid::update(const PointGroup& group, const VelocityGradient& g
   // iteration is the solution of one linear equation.
   const Lanes dissipation =
       2.0 * mu * contract(rate, rate) - 2.0 / 3.0 * mu * divergence * divergence;
+  const bool mean = properties.energy_increment == EnergyIncrement::mean_pressure;
+  const double end_share = mean ? 0.5 : 1.0;
+  const Lanes begin_pressure =
+      mean ? 0.5 * (big_gamma * old_density * old_energy - offset) : Lanes{};
   const Lanes scale = dt / old_density;
-  const Lanes stiffening = 1.0 + scale * divergence * big_gamma * new_density;
+  const Lanes stiffening = 1.0 + scale * divergence * (end_share * big_gamma) * new_density;
   const Lanes energy =
-      (old_energy + scale * ((offset - q) * divergence + dissipation)) / stiffening;
+      (old_energy +
+       scale * ((end_share * offset - begin_pressure - q) * divergence + dissipation)) /
+      stiffening;
   const Lanes pressure = big_gamma * new_density * energy - offset + q;
 
   const Lanes spherical = -2.0 / 3.0 * mu * divergence - pressure;

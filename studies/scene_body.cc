@@ -64,6 +64,9 @@ mpm::FluidProperties fluid_properties(const Table& table) {
                 ? mpm::StiffenedGas::ideal_gas(table.number("gamma"))
                 : mpm::StiffenedGas{table.number("grueneisen"), table.quantity("p_infinity")};
   p.shear_viscosity = table.quantity("viscosity");
+  p.energy_increment = table.choice("energy_increment") == "mean_pressure"
+                           ? mpm::EnergyIncrement::mean_pressure
+                           : mpm::EnergyIncrement::end_pressure;
   p.artificial_viscosity = {table.number("artificial_viscosity_quadratic"),
                             table.number("artificial_viscosity_linear")};
   return p;

@@ -164,6 +164,11 @@ void declare_fluids_of_scene(Schema& schema) {
       .called("mu")
       .only_with("material", fluids)
       .doc("Shear viscosity; Stokes' condition holds (4.28).");
+  schema.choice("body.energy_increment", {"end_pressure", "mean_pressure"})
+      .only_with("material", fluids)
+      .doc(
+          "Which pressure does the work of a step in (4.40): that at its end, as in the source, "
+          "which heats a fluid that is compressed and expanded; or the mean of both ends.");
   schema.number("body.artificial_viscosity_quadratic", 0)
       .in("[0, 100]")
       .called("c_0")

@@ -75,8 +75,8 @@ TEST_CASE("The closed-form fluid update is the limit of the source's iteration")
   }
 }
 
-TEST_CASE("Slow compression is isentropic, first order in the step") {
-  const FluidProperties p{1000, {4, 6.13e8}, 1e5, 0, {}};
+TEST_CASE("Slow compression is isentropic, at first order or, with the mean pressure, second") {
+  FluidProperties p{1000, {4, 6.13e8}, 1e5, 0, {}};
   const double target = 0.9;  // volume ratio
   const auto error = [&](int steps) {
     Fluid fluid(p, 8);
@@ -88,6 +88,29 @@ TEST_CASE("Slow compression is isentropic, first order in the step") {
   };
   CHECK(error(1000) < 1e-3);
   CHECK(error(500) / error(1000) == Approx(2).epsilon(0.05));
+  p.energy_increment = EnergyIncrement::mean_pressure;
+  CHECK(error(100) < 1e-4);
+  CHECK(error(50) / error(100) == Approx(4).epsilon(0.05));
+}
+
+TEST_CASE("Cycles heat by K dt <D^2> / 2 where the end pressure does the work, hardly otherwise") {
+  const int cycles = 10, steps = 100;
+  const double amplitude = 1e-3, dt = 1e-6, omega = 2 * M_PI / (steps * dt);
+  const auto heat = [&](EnergyIncrement increment) {
+    Fluid fluid({1000, {4, 6.13e8}, 0, 0, {}, increment}, 8);
+    for (int s = 0; s < cycles * steps; ++s) {
+      const double rate =
+          amplitude * (std::sin(omega * (s + 1) * dt) - std::sin(omega * s * dt)) / dt;
+      const double l[3][3] = {{rate, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+      fluid.update(PointGroup(0), uniform_gradient(l), dt, 1e-3);
+    }
+    return fluid.internal_energy[0] - fluid.initial_energy;
+  };
+  const double bulk = 5 * 6.13e8;
+  const double mean_square = std::pow(amplitude * omega, 2) / 2;
+  const double expected = cycles * steps * dt / 1000 * bulk * dt / 2 * mean_square;
+  CHECK(heat(EnergyIncrement::end_pressure) == Approx(expected).epsilon(0.01));
+  CHECK(std::abs(heat(EnergyIncrement::mean_pressure)) < 1e-5 * expected);
 }
 
 TEST_CASE("Newtonian shear stress and dissipation") {

@@ -14,6 +14,7 @@ struct VortexModel {
   double viscosity = 0.01;  ///< [Pa s]
   double pic = 0;
   zona::mpm::Interpolation interpolation = zona::mpm::Interpolation::linear;
+  zona::mpm::EnergyIncrement energy_increment = zona::mpm::EnergyIncrement::end_pressure;
   static constexpr double sound = 20, k = M_PI;
 
   zona::mpm::Solver solver() const {
@@ -26,7 +27,7 @@ struct VortexModel {
                                     [](const Eigen::Vector3d&) { return true; });
     const StiffenedGas state{4, sound * sound / 5};
     auto points = make_points(lattice.places, lattice.volumes);
-    Fluid fluid({1, state, 0, viscosity, {}}, points.size());
+    Fluid fluid({1, state, 0, viscosity, {}, energy_increment}, points.size());
     for (int p = 0; p < points.size(); ++p) {
       const Eigen::Vector3d x = points.position_of(p), v = velocity(x, 0);
       const double pressure = 0.25 * (std::cos(2 * k * x.x()) + std::cos(2 * k * x.z()));
