@@ -123,8 +123,10 @@ void MembraneState<VonMises>::flow(int p, PlaneTensor& elastic, const MembranePr
   const auto& s = trial.stress;
   const double softening_begins = std::max(internal[p], law.peak_strain());
   const auto localises = [&](const PlaneTensor& at, double increment) {
-    if (!law.decohesion || internal[p] + increment <= softening_begins) return false;
-    const double scale = law.strength(softening_begins) / equivalent_stress(at);
+    const double at_most = law.strength(softening_begins);
+    if (!law.decohesion || internal[p] + increment <= softening_begins || at_most == 0)
+      return false;
+    const double scale = at_most / equivalent_stress(at);
     return localise(p, {scale * at.xx, scale * at.yy, s.cos2, s.sin2}, m);
   };
   double increment;
@@ -138,7 +140,7 @@ void MembraneState<VonMises>::flow(int p, PlaneTensor& elastic, const MembranePr
   } else {
     const PlaneStressFlow path({s.first, s.second, 0}, m.moduli());
     double t = path.end(law, internal[p]);
-    const double at_peak = path.at_increment(softening_begins - internal[p]);
+    const double at_peak = law.decohesion ? path.at_increment(softening_begins - internal[p]) : t;
     if (localises(path.stress(at_peak), path.increment(t))) t = at_peak;
     increment = path.increment(t);
     plastic = from_axes(path.plastic_strain(t), s);

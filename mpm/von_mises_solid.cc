@@ -75,8 +75,9 @@ void SolidState<VonMises>::flow(int p, Stress& stress, const ElasticModuli& modu
   const double stiffness = radial_stiffness(moduli.shear());
   PlasticFlow flow = return_along(law, trial, internal[p], stiffness);
   const double softening_begins = std::max(internal[p], law.peak_strain());
-  if (law.decohesion && internal[p] + flow.increment > softening_begins &&
-      localise(p, spherical + law.strength(softening_begins) / trial * deviator, moduli, law)) {
+  const double at_most = law.strength(softening_begins);
+  if (law.decohesion && internal[p] + flow.increment > softening_begins && at_most > 0 &&
+      localise(p, spherical + at_most / trial * deviator, moduli, law)) {
     flow.increment = softening_begins - internal[p];
     flow.equivalent_stress = trial - stiffness * flow.increment;
   }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mpm/errors.h"
+#include "mpm/mixed_control.h"
 #include "studies/history_file.h"
 #include "studies/interrupt.h"
 #include "studies/material_parameters.h"

@@ -127,34 +127,33 @@ TEST_CASE("The one-step update, and complete failure where it snaps back") {
 }
 
 TEST_CASE("A surface that is pulled open as it wants to open: F = 0, energy u0 tau0 q/(q + 1)") {
-  for (double exponent : {1.0, 2.0}) {
-    for (double ratio : {10.0, 1.0, 0.1}) {
-      INFO("c_m " << ratio << ", q " << exponent);
-      const VonMises law = brittle(ratio, 1e-6, exponent);
-      SolidPoint<VonMises> point(glassy, law);
-      const auto& surfaces = point.solid.state.surfaces;
-      while (!surfaces.surface(0).present()) point.step(stretch(1e-6, -1e-7, -1e-7));
-      const Vector3d n(surfaces.normal[0][0], surfaces.normal[1][0], surfaces.normal[2][0]);
-      const double initial = 1e-6 * surfaces.reference_traction[0];
-      for (int s = 0; s < 2000000 && !point.solid.state.failed(0); ++s) {
-        const Vector3d t = point.stress() * n;
-        const double along = n.dot(t), across = (t - along * n).norm();
-        const auto flow = decohesion_flow(*law.decohesion, surfaces.surface(0), {along, across});
-        const double left = 1 - std::pow(surfaces.opened[0], exponent);
-        REQUIRE(flow.effective / initial - left < 1e-9);  // (5.41) ends at 1e-10, and rounding
-        const Vector3d m =
-            flow.direction.normal * n + flow.direction.tangential * (t - along * n).normalized();
-        const Matrix3d opening = n * m.normalized().transpose();
-        point.step(2e-6 * (opening + opening.transpose()));
-      }
-      REQUIRE(point.solid.state.failed(0));
-      CHECK(point.stress().norm() == 0);
-      // First order in the step, 0.5 %, and what is stored along the surface when it fails.
-      CHECK(surfaces.dissipated[0] ==
-            Approx(surfaces.surface(0).energy(*law.decohesion)).epsilon(0.01));
-      CHECK(surfaces.surface(0).energy(*law.decohesion) ==
-            Approx(initial * exponent / (exponent + 1)));
+  for (const auto& [ratio, exponent] :
+       {std::pair(10.0, 1.0), std::pair(1.0, 1.0), std::pair(0.1, 1.0), std::pair(1.0, 2.0)}) {
+    INFO("c_m " << ratio << ", q " << exponent);
+    const VonMises law = brittle(ratio, 1e-6, exponent);
+    SolidPoint<VonMises> point(glassy, law);
+    const auto& surfaces = point.solid.state.surfaces;
+    while (!surfaces.surface(0).present()) point.step(stretch(1e-6, -1e-7, -1e-7));
+    const Vector3d n(surfaces.normal[0][0], surfaces.normal[1][0], surfaces.normal[2][0]);
+    const double initial = 1e-6 * surfaces.reference_traction[0];
+    for (int s = 0; s < 2000000 && !point.solid.state.failed(0); ++s) {
+      const Vector3d t = point.stress() * n;
+      const double along = n.dot(t), across = (t - along * n).norm();
+      const auto flow = decohesion_flow(*law.decohesion, surfaces.surface(0), {along, across});
+      const double left = 1 - std::pow(surfaces.opened[0], exponent);
+      REQUIRE(flow.effective / initial - left < 1e-9);  // (5.41) ends at 1e-10, and rounding
+      const Vector3d m =
+          flow.direction.normal * n + flow.direction.tangential * (t - along * n).normalized();
+      const Matrix3d opening = n * m.normalized().transpose();
+      point.step(4e-6 * (opening + opening.transpose()));
     }
+    REQUIRE(point.solid.state.failed(0));
+    CHECK(point.stress().norm() == 0);
+    // First order in the step, 1 %, and what is stored along the surface when it fails.
+    CHECK(surfaces.dissipated[0] ==
+          Approx(surfaces.surface(0).energy(*law.decohesion)).epsilon(0.015));
+    CHECK(surfaces.surface(0).energy(*law.decohesion) ==
+          Approx(initial * exponent / (exponent + 1)));
   }
 }
 

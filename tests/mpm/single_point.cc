@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "mpm/errors.h"
+#include "mpm/mixed_control.h"
 
 using namespace zona::mpm;
 
