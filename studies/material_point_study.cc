@@ -179,9 +179,9 @@ Job prepare_material_point(const Configuration& study) {
   };
 }
 
-std::string estimate_material_point(const Configuration& study) {
-  return fmt::format("one point, {} segments of {} steps", path_strains(study).size(),
-                     study.integer("path.steps"));
+StudyCost estimate_material_point(const Configuration& study) {
+  return {fmt::format("one point, {} segments of {} steps", path_strains(study).size(),
+                      study.integer("path.steps"))};
 }
 
 }  // namespace zona::studies

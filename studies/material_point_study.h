@@ -22,7 +22,7 @@ mpm::SinglePoint material_point(const Configuration& study);
 /// Finds what the model refuses; the job writes history.csv and the results.
 Job prepare_material_point(const Configuration& study);
 
-/// The size of the study in one line.
-std::string estimate_material_point(const Configuration& study);
+/// The size of the study.
+StudyCost estimate_material_point(const Configuration& study);
 
 }  // namespace zona::studies

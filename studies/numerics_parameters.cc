@@ -16,6 +16,13 @@ Parameter& declare_volume_average(Schema& schema, const std::string& key) {
           "cell: against noise in the pressure of single points.");
 }
 
+Parameter& declare_energy_increment(Schema& schema, const std::string& key) {
+  return schema.choice(key, {"end_pressure", "mean_pressure"})
+      .doc(
+          "Which pressure does the work of a step in (4.40): that at its end, as in the source, "
+          "which heats a fluid that is compressed and expanded; or the mean of both ends.");
+}
+
 void declare_pic_and_damping(Schema& schema) {
   schema.number("numerics.pic", 0)
       .in("[0, 1]")
@@ -29,6 +36,11 @@ void declare_pic_and_damping(Schema& schema) {
 
 mpm::Interpolation interpolation_of(const std::string& name) {
   return name == "quadratic" ? mpm::Interpolation::quadratic : mpm::Interpolation::linear;
+}
+
+mpm::EnergyIncrement energy_increment_of(const std::string& name) {
+  return name == "mean_pressure" ? mpm::EnergyIncrement::mean_pressure
+                                 : mpm::EnergyIncrement::end_pressure;
 }
 
 mpm::Numerics numerics_from(const Configuration& study) {

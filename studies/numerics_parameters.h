@@ -3,6 +3,7 @@
 #include <string>
 
 #include "mpm/background_grid.h"
+#include "mpm/fluid.h"
 #include "mpm/solver.h"
 #include "studies/configuration.h"
 
@@ -12,10 +13,12 @@ namespace zona::studies {
 /// source's.
 void declare_interpolation(Schema& schema, const std::string& key);
 Parameter& declare_volume_average(Schema& schema, const std::string& key);
+Parameter& declare_energy_increment(Schema& schema, const std::string& key);
 /// Keys numerics.pic and numerics.damping.
 void declare_pic_and_damping(Schema& schema);
 
 mpm::Interpolation interpolation_of(const std::string& name);
+mpm::EnergyIncrement energy_increment_of(const std::string& name);
 mpm::Numerics numerics_from(const Configuration& study);
 
 }  // namespace zona::studies

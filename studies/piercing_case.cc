@@ -22,6 +22,7 @@ PiercingSetup::FluidRegion fluid_region(const Configuration& study, const std::s
   region.fluid.density = study.quantity(of("density"));
   region.fluid.state = {study.number(of("grueneisen")), study.quantity(of("p_infinity"))};
   region.fluid.shear_viscosity = study.quantity(of("viscosity"));
+  region.fluid.energy_increment = energy_increment_of(study.choice("numerics.energy_increment"));
   region.fluid.artificial_viscosity = {study.number(of("artificial_viscosity_quadratic")),
                                        study.number(of("artificial_viscosity_linear"))};
   region.points_per_cell = static_cast<int>(study.integer(of("points_per_cell")));

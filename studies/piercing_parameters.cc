@@ -190,6 +190,7 @@ void declare_piercing_numerics(Schema& schema) {
   schema.section("numerics", "Choices of the scheme; the defaults are the source's.");
   declare_interpolation(schema, "numerics.interpolation");
   declare_volume_average(schema, "numerics.average_volume_strain");
+  declare_energy_increment(schema, "numerics.energy_increment");
   declare_pic_and_damping(schema);
 }
 

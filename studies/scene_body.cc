@@ -6,6 +6,7 @@
 
 #include "studies/blame.h"
 #include "studies/material_parameters.h"
+#include "studies/numerics_parameters.h"
 
 namespace zona::studies {
 
@@ -64,6 +65,7 @@ mpm::FluidProperties fluid_properties(const Table& table) {
                 ? mpm::StiffenedGas::ideal_gas(table.number("gamma"))
                 : mpm::StiffenedGas{table.number("grueneisen"), table.quantity("p_infinity")};
   p.shear_viscosity = table.quantity("viscosity");
+  p.energy_increment = energy_increment_of(table.choice("energy_increment"));
   p.artificial_viscosity = {table.number("artificial_viscosity_quadratic"),
                             table.number("artificial_viscosity_linear")};
   return p;

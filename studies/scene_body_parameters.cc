@@ -66,7 +66,7 @@ void declare_surfaces(Schema& schema) {
       .only_with("shape", {"icosphere"})
       .doc(
           "How often the triangles of an icosahedron are divided in four, 10 x 4^level + 2 points; "
-          "\"auto\" keeps points at most half a cell apart.");
+          "\"auto\" keeps points at most a quarter of a cell apart.");
   schema.integer("body.rings", 0)
       .in("[1, 10000]")
       .auto_by_default()
@@ -74,13 +74,14 @@ void declare_surfaces(Schema& schema) {
       .doc(
           "Rings of points around the centre, 6 in the first, 12 in the second, ...; \"auto\" "
           "keeps "
-          "them at most half a cell apart.");
+          "them at most a quarter of a cell apart.");
   schema.integers("body.sheet_points", {})
       .exactly(2)
       .in("[2, 100000]")
       .auto_by_default()
       .only_with("shape", {"sheet"})
-      .doc("Points along edge_u and edge_v; \"auto\" keeps them at most half a cell apart.");
+      .doc(
+          "Points along edge_u and edge_v; \"auto\" keeps them at most a quarter of a cell apart.");
 }
 
 void declare_shape(Schema& schema) {
@@ -164,6 +165,7 @@ void declare_fluids_of_scene(Schema& schema) {
       .called("mu")
       .only_with("material", fluids)
       .doc("Shear viscosity; Stokes' condition holds (4.28).");
+  declare_energy_increment(schema, "body.energy_increment").only_with("material", fluids);
   schema.number("body.artificial_viscosity_quadratic", 0)
       .in("[0, 100]")
       .called("c_0")

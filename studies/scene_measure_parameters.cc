@@ -35,7 +35,10 @@ void declare_scene_measures(Schema& schema) {
   schema.quantity("profile.width", "m", "auto")
       .in("(0, 1e6]")
       .or_auto()
-      .doc("Thickness of a slice; \"auto\" is a cell. Slices start at `low`.");
+      .doc("Thickness of a slice; \"auto\" is `cells` cells. Slices start at `low`.");
+  schema.integer("profile.cells", 1)
+      .in("[1, 1000000]")
+      .doc("Cells that an \"auto\" slice is thick.");
   schema.references("profile.bodies", "body")
       .auto_by_default()
       .doc("Bodies whose points are averaged together; \"auto\" takes all that are not rigid.");

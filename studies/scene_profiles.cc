@@ -37,8 +37,9 @@ SceneProfiles::Profile SceneProfiles::make_profile(const Table& table, const mpm
   profile.axis = table.choice("axis")[0] - 'x';
   profile.box = box_of(table, solver.grid());
   profile.start = profile.box.low[profile.axis];
-  profile.width =
-      table.is_auto("width") ? solver.grid().cell_size()[profile.axis] : table.quantity("width");
+  profile.width = table.is_auto("width") ? static_cast<double>(table.integer("cells")) *
+                                               solver.grid().cell_size()[profile.axis]
+                                         : table.quantity("width");
   profile.is_current = table.choice("membership") == "current";
   if (table.is_auto("bodies")) {
     for (std::size_t b = 0; b < solver.bodies().size(); ++b) {

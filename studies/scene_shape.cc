@@ -33,9 +33,10 @@ std::array<int, 3> three(const std::vector<long>& n) {
   return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2])};
 }
 
-/// Points per length that stand half of the shortest cell edge apart.
+/// Parts of a length that are at most a quarter of the shortest cell edge: closer than what tears
+/// (half a cell), so that nodes which the membrane only grazes still see several points.
 int intervals(double length, const mpm::BackgroundGrid& grid) {
-  return std::max(1, static_cast<int>(std::ceil(2 * length / grid.cell_size().minCoeff() - 1e-9)));
+  return std::max(1, static_cast<int>(std::ceil(4 * length / grid.cell_size().minCoeff() - 1e-9)));
 }
 
 int icosphere_level(const Table& body, double radius, const mpm::BackgroundGrid& grid) {

@@ -155,17 +155,27 @@ std::vector<Run> box_runs(Extent extent) {
 Evaluation evaluate_box(const CaseResults& results, Extent extent) {
   Evaluation evaluation;
   auto box = references::box_of_the_source();
-  const auto exact = references::gas_box(box);
+  const auto stretches = references::gas_box(box);
+  box.strain = references::TriangleStrain::summed;
+  const auto summed = references::gas_box(box);
   box.rigid_cube = false;
-  const auto bound = references::gas_box(box);
+  const auto soft_summed = references::gas_box(box);
+  box.strain = references::TriangleStrain::stretches;
+  const auto soft_stretches = references::gas_box(box);
   const auto reference = [&](double milliseconds) {
-    return exact.displacement(milliseconds * 1e-3) * 1e3;
+    return summed.displacement(milliseconds * 1e-3) * 1e3;
   };
   Panel panel{"", {"time [ms]"}, {"displacement of the cube [mm]"}, {}};
+  Panel energies{"", {"time [ms]"}, {"energy over that at the start"}, {}};
   std::vector<double> cells, errors;
   for (const int cell : box_cells(extent)) {
     const std::string label = fmt::format("cell-{}mm", cell);
     panel.curves.push_back(history_curve(results[label], label, "cube"));
+    const double initial = results[label].table("history.csv")["stored_energy"][0];
+    energies.curves.push_back(energy_curve(results[label], label, initial));
+    evaluation.checks.push_back(told("energy at 30 ms over that at the start, " + label,
+                                     energies.curves.back().y.back(), "1",
+                                     "all bodies; walls and perimeter do no work"));
     cells.push_back(cell);
     errors.push_back(distance(panel.curves.back(), 30, reference));
     evaluation.checks.push_back(
@@ -186,26 +196,43 @@ Evaluation evaluate_box(const CaseResults& results, Extent extent) {
               "one law, two ways to sum it: equal but for rounding, and for "
               "wrinkles, which have a memory in the second"));
   panel.curves.push_back(history_curve(results["objective"], "objective", "cube"));
-  for (const auto* history : {&exact, &bound}) {
-    Curve curve{history == &exact ? "membrane and adiabatic gas" : "the same, cube not rigid",
-                {},
-                {},
-                history == &exact ? Style::reference : Style::limit};
-    for (const auto& sample : history->samples) {
+  const auto model_curve = [](const references::GasBoxHistory& history, const char* label,
+                              Style style) {
+    Curve curve{label, {}, {}, style};
+    for (const auto& sample : history.samples) {
       curve.x.push_back(sample.time * 1e3);
       curve.y.push_back(sample.displacement * 1e3);
     }
-    panel.curves.push_back(std::move(curve));
+    return curve;
+  };
+  const double source_end = panel.curves[cells.size() - 1].y.back();
+  const double objective_end = panel.curves.back().y.back();
+  panel.curves.push_back(model_curve(summed, "model, summed strain", Style::reference));
+  panel.curves.push_back(model_curve(stretches, "model, stretches", Style::reference));
+  panel.curves.push_back(model_curve(soft_stretches, "the same, cube not rigid", Style::limit));
+  const auto end = [](const references::GasBoxHistory& history) {
+    return history.samples.back().displacement * 1e3;
+  };
+  const std::string origin =
+      "the cells spread the cube's footprint: between a rigid cube and a mass without stiffness";
+  for (const auto& [name, value, soft, rigid] :
+       {std::tuple{"source kinematics", source_end, end(soft_summed), end(summed)},
+        std::tuple{"objective kinematics", objective_end, end(soft_stretches), end(stretches)}}) {
+    evaluation.checks.push_back(
+        within(fmt::format("displacement of the cube at 30 ms [mm], {}", name), value,
+               0.5 * (soft + rigid), 0.5 * (rigid - soft),
+               fmt::format("{}, {:.1f} to {:.1f} mm of the model", origin, soft, rigid)));
   }
-  evaluation.checks.push_back(
-      near("displacement of the cube at 30 ms [mm]", panel.curves[cells.size() - 1].y.back(),
-           exact.samples.back().displacement * 1e3, 0.15,
-           "the model's gas is uniform and its cube rigid: see the remark"));
-  evaluation.figures.push_back({"displacement", "Figure 4.19: the cube on the lid.", {panel}, {}});
+  evaluation.figures.push_back(
+      {"displacement", "Figure 4.19: the cube on the lid.", {panel, energies}, {}});
   evaluation.remarks = {
       "The model is independent but no exact solution: uniform adiabatic gas without inertia, a "
-      "rigid cube that does not let go. The dashed curve, whose cube is a mass without stiffness, "
-      "shows how much the cube's rigidity is worth."};
+      "rigid cube that does not let go. A cube that is a mass without stiffness is the other "
+      "bound.",
+      fmt::format("Each kinematics is held against its own model: the summed strain (4.10), which "
+                  "doubles that of small slopes, lifts the cube {:.1f} mm, true stretches {:.1f} "
+                  "mm.",
+                  end(summed), end(stretches))};
   return evaluation;
 }
 

@@ -29,6 +29,33 @@ TEST_CASE("A subdivided icosahedron is a closed outward sphere") {
   CHECK(icosphere(Vector3d::Zero(), 1, 6).triangles.size() == 81920);
 }
 
+TEST_CASE("A disc is a fan of rings with one normal") {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int rings = 5;
+    const Vector3d center(1, 2, 3);
+    const auto flat = disc(center, axis, 0.5, rings);
+    CHECK(flat.places.size() == 1 + 3 * rings * (rings + 1));
+    CHECK(flat.triangles.size() == 6 * rings * rings);
+    Vector3d area = Vector3d::Zero();
+    double sum = 0;
+    for (const auto& [a, b, c] : flat.triangles) {
+      const Vector3d n =
+          0.5 * (flat.places[b] - flat.places[a]).cross(flat.places[c] - flat.places[a]);
+      CHECK(n[axis] > 0);
+      area += n;
+      sum += n.norm();
+    }
+    // A regular polygon of 30 sides; all triangles turn the same way.
+    const double polygon = 0.5 * 30 * 0.25 * std::sin(2 * M_PI / 30);
+    CHECK(sum == Approx(polygon));
+    CHECK(area.isApprox(polygon * Vector3d::Unit(axis)));
+    for (const Vector3d& place : flat.places) {
+      CHECK(place[axis] == center[axis]);
+      CHECK((place - center).norm() <= 0.5 * (1 + 1e-12));
+    }
+  }
+}
+
 TEST_CASE("Lattices stand for the volume that they fill") {
   const BackgroundGrid grid(Vector3d::Zero(), Vector3d::Constant(0.1), {10, 10, 10});
   const auto all = fill_cells(grid, {2, 3, 1}, [](const Vector3d&) { return true; });

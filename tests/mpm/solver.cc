@@ -159,12 +159,15 @@ void check_same(const Body& x, const Body& y) {
 
 TEST_CASE("Any number of threads gives the same bits") {
   const auto shape = GENERATE(Interpolation::linear, Interpolation::quadratic);
+  // The storage is re-ordered once, after 200 steps.
+  const int steps = shape == Interpolation::linear ? 250 : 202;
   for (const auto& [objective, law] : std::vector<std::pair<bool, MembraneLaw>>{
            {false, weak}, {true, weak}, {false, weak_von_mises}, {true, IncrementalElastic{}}}) {
+    if (shape == Interpolation::quadratic && (objective || law.index() != 3)) continue;
     Solver one(loaded_egg(objective, shape, law), 4e-9, 1);
     Solver two(loaded_egg(objective, shape, law), 4e-9, 2);
     Solver three(loaded_egg(objective, shape, law), 4e-9, 3);
-    for (int s = 0; s < 250; ++s) {
+    for (int s = 0; s < steps; ++s) {
       one.step();
       two.step();
       three.step();

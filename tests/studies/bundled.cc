@@ -31,7 +31,7 @@ TEST_CASE("every study file that is shipped is valid and says what it is for") {
     CHECK_NOTHROW(load_configuration(study.file));
     CHECK_FALSE(study.description.empty());
   }
-  CHECK(bundled_studies().size() >= 15);
+  CHECK(bundled_studies().size() >= 26);
 }
 
 TEST_CASE("a vibration resolves to SI") {

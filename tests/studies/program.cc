@@ -27,8 +27,9 @@ TEST_CASE("the program tells its version and its help") {
 TEST_CASE("the program lists kinds and study files") {
   const Answer answer = call("list");
   CHECK(answer.code == 0);
-  for (const char* name : {"vibration.toml", "piercing_lateral.toml", "piercing_axial.toml",
-                           "piercing_beam.toml", "mercury_vs_water.toml", "comparison  "}) {
+  for (const char* name :
+       {"vibration.toml", "piercing_lateral.toml", "piercing_axial.toml", "piercing_beam.toml",
+        "mercury_vs_water.toml", "comparison  ", "scene  ", "verification/shock_tube.toml"}) {
     CHECK_THAT(answer.text, Contains(name));
   }
   CHECK_THAT(answer.text, Contains("the zona holds"));

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "studies/bundled_studies.h"
+#include "studies/keys.h"
 #include "studies/nearest.h"
 #include "studies/reference.h"
 #include "studies/resolved_study.h"
@@ -17,15 +19,19 @@ void check_round_trip(const Configuration& study) {
   const Configuration again =
       load_configuration(elsewhere.write("study.toml", resolved_study(study)));
   CHECK(again.kind() == study.kind());
-  for (const std::string& key : study.schema().keys()) {
-    INFO(key);
-    CHECK(again.setting(key).numbers == study.setting(key).numbers);
-    CHECK(again.setting(key).is_auto == study.setting(key).is_auto);
-    CHECK_FALSE(again.is_default(key));
-    if (study.schema().find(key)->kind == Parameter::Kind::file) {
-      CHECK(again.path(key) == study.path(key));
-    } else {
-      CHECK(again.texts(key) == study.texts(key));
+  REQUIRE(again.tables() == study.tables());
+  for (const std::string& table : study.tables()) {
+    REQUIRE(again.keys_of(table) == study.keys_of(table));
+    for (const std::string& key : study.keys_of(table)) {
+      INFO(key);
+      CHECK(again.setting(key).numbers == study.setting(key).numbers);
+      CHECK(again.setting(key).is_auto == study.setting(key).is_auto);
+      CHECK_FALSE(again.is_default(key));
+      if (study.schema().find(key)->kind == Parameter::Kind::file) {
+        CHECK(again.path(key) == study.path(key));
+      } else {
+        CHECK(again.texts(key) == study.texts(key));
+      }
     }
   }
 }
@@ -33,9 +39,9 @@ void check_round_trip(const Configuration& study) {
 }  // namespace
 
 TEST_CASE("a resolved study loads to the same configuration") {
-  for (const std::string name : {"vibration", "piercing_lateral", "piercing_axial", "piercing_beam",
-                                 "mercury_vs_water", "point_uniaxial", "point_zona"}) {
-    check_round_trip(load_configuration(ZONA_SOURCE_DIR "/studies/" + name + ".toml"));
+  for (const BundledStudy& study : bundled_studies()) {
+    INFO(study.file.string());
+    check_round_trip(load_configuration(study.file));
   }
   const ScratchDirectory scratch;
   scratch.write("tip \"1\".csv", "time,displacement\n0,0\n");
@@ -65,6 +71,12 @@ TEST_CASE("every parameter is documented") {
       INFO(kind.schema->kind() << " " << parameter.key);
       CHECK(parameter.documentation.size() > 10);
       CHECK(parameter.documentation.back() == '.');
+      for (const Condition& condition : parameter.conditions) {
+        const std::string choice = table_of(parameter.key) + "." + condition.key;
+        REQUIRE(kind.schema->find(choice) != nullptr);
+        CHECK(kind.schema->find(choice)->kind == Parameter::Kind::choice);
+        CHECK(kind.schema->find(choice) < &parameter);  // declared before
+      }
       CHECK_FALSE(parameter.expectation().empty());
     }
   }

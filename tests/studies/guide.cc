@@ -1,0 +1,50 @@
+#include <catch2/catch.hpp>
+
+#include "studies/study_kinds.h"
+#include "tests/studies/study_files.h"
+
+using namespace zona::studies;
+using namespace zona::studies::testing;
+
+namespace {
+
+/// The whole studies among the TOML examples of a page.
+std::vector<std::string> studies_on(const std::string& page) {
+  const std::string text = read_text(std::string(ZONA_SOURCE_DIR "/") + page);
+  std::vector<std::string> studies;
+  const std::string fence = "```toml\n";
+  for (std::size_t at = 0; (at = text.find(fence, at)) != std::string::npos;) {
+    at += fence.size();
+    const std::string example = text.substr(at, text.find("```", at) - at);
+    if (example.find("study = ") != std::string::npos) studies.push_back(example);
+  }
+  return studies;
+}
+
+}  // namespace
+
+TEST_CASE("the studies printed in the README and the guide are valid") {
+  std::size_t count = 0;
+  for (const char* page : {"README.md", "docs/guide.md"}) {
+    for (const std::string& text : studies_on(page)) {
+      const ScratchDirectory scratch;
+      const Configuration study = load_configuration(scratch.write("s.toml", text));
+      CHECK_NOTHROW(find_study_kind(study.kind()).prepare(study));
+      ++count;
+    }
+  }
+  CHECK(count >= 2);
+}
+
+TEST_CASE("every study file that is shipped for verification can be prepared") {
+  const std::filesystem::path directory(ZONA_SOURCE_DIR "/studies/verification");
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().extension() != ".toml") continue;
+    INFO(entry.path().string());
+    const Configuration study = load_configuration(entry.path());
+    CHECK_NOTHROW(find_study_kind(study.kind()).prepare(study));
+    ++count;
+  }
+  CHECK(count >= 12);
+}
