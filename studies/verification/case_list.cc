@@ -10,11 +10,13 @@ const std::vector<Case>& cases() {
       sod_tube(),
       net(),
       gas_box(),
+      material_points(),
       piston(),
       oblique_wave(),
       injection(),
       piercing_lateral(),
       piercing_axial(),
+      piercing_numerics(),
       pipette_frequencies(),
       support_motion(),
       pipette_amplitude(),
@@ -27,6 +29,9 @@ const std::vector<Case>& cases() {
       couette(),
       standing_wave(),
       free_fall(),
+      vortex(),
+      drifting_bar(),
+      hanging_bar(),
   };
   return all;
 }

@@ -13,11 +13,13 @@ Case sod_tube();
 Case net();
 Case gas_box();
 // Chapter 5
+Case material_points();
 Case piston();
 Case oblique_wave();
 Case injection();
 Case piercing_lateral();
 Case piercing_axial();
+Case piercing_numerics();
 Case pipette_frequencies();
 Case support_motion();
 Case pipette_amplitude();
@@ -31,5 +33,9 @@ Case stokes();
 Case couette();
 Case standing_wave();
 Case free_fall();
+// Choices of the scheme
+Case vortex();
+Case drifting_bar();
+Case hanging_bar();
 
 }  // namespace zona::studies::verification

@@ -111,6 +111,17 @@ Evaluation evaluate_lateral(const CaseResults& results, Extent extent) {
 
 constexpr double scanned_peaks[] = {2.5, 3.5, 5, 7, 10};  // um
 
+/// What the axial peak is raised for.
+struct Scan {
+  std::string law, kinematics;
+  std::string label(double peak) const { return fmt::format("{}-{}-{}um", law, kinematics, peak); }
+};
+
+const std::vector<Scan> scans{{"elastodamage", "source"},
+                              {"elastodamage", "objective"},
+                              {"decohesion", "source"},
+                              {"decohesion", "objective"}};
+
 std::vector<Run> axial_runs(Extent extent) {
   std::vector<Run> runs;
   const auto finest = resolutions(extent).back();
@@ -119,33 +130,34 @@ std::vector<Run> axial_runs(Extent extent) {
         {label(law, finest.cell), "piercing_axial" + finest.suffix + ".toml", {law_override(law)}});
   }
   if (extent == Extent::quick) return runs;
-  for (const std::string kinematics : {"source", "objective"}) {
+  for (const Scan& scan : scans) {
     for (const double peak : scanned_peaks) {
-      runs.push_back({fmt::format("{}-{}um", kinematics, peak),
+      runs.push_back({scan.label(peak),
                       "piercing_axial_quick.toml",
                       {fmt::format("motion.amplitude=\"{} um\"", peak),
-                       fmt::format("zona.kinematics=\"{}\"", kinematics), "output.fields=false"}});
+                       fmt::format("zona.kinematics=\"{}\"", scan.kinematics),
+                       law_override(scan.law), "output.fields=false"}});
     }
   }
   return runs;
 }
 
 /// The lowest scanned peak at which points fail, and the highest at which none does.
-void bracket(const CaseResults& results, const std::string& kinematics, Evaluation& evaluation,
-             Panel& panel) {
+void bracket(const CaseResults& results, const Scan& scan, Evaluation& evaluation, Panel& panel) {
   double holds = 1.8, fails = HUGE_VAL;
-  Curve curve{kinematics + " kinematics", {}, {}, Style::line};
+  const std::string name = fmt::format("{}, {} kinematics", scan.law, scan.kinematics);
+  Curve curve{name, {}, {}, Style::line};
   for (const double peak : scanned_peaks) {
-    const RunResults& run = results[fmt::format("{}-{}um", kinematics, peak)];
+    const RunResults& run = results[scan.label(peak)];
     const bool failed = run.number("failed_points") > 0;
     if (failed) fails = std::min(fails, peak);
     if (!failed && peak < fails) holds = peak;
     curve.x.push_back(peak);
     curve.y.push_back(square_micrometres(run));
   }
-  evaluation.checks.push_back(
-      told(fmt::format("axial peak at which failure begins [um], {} kinematics", kinematics), fails,
-           "none", fmt::format("nothing fails at {} um; elastodamage, cells of 9 um", holds)));
+  evaluation.checks.push_back(told("axial peak at which failure begins [um], " + name, fails,
+                                   "none",
+                                   fmt::format("nothing fails at {} um; cells of 9 um", holds)));
   panel.curves.push_back(std::move(curve));
 }
 
@@ -169,14 +181,131 @@ Evaluation evaluate_axial(const CaseResults& results, Extent extent) {
   }
   if (extent == Extent::quick) return evaluation;
   Panel panel{"Failed area at the end", {"axial peak [um]"}, {"failed area [um^2]"}, {}};
-  for (const std::string kinematics : {"source", "objective"}) {
-    bracket(results, kinematics, evaluation, panel);
-  }
+  for (const Scan& scan : scans) bracket(results, scan, evaluation, panel);
   evaluation.figures.push_back({"peak", "The axial peak at which failure begins.", {panel}, {}});
   return evaluation;
 }
 
+// ---- numerics
+
+struct Variant {
+  std::string label;
+  std::vector<std::string> overrides;
+};
+
+const std::string quadratic_functions = "numerics.interpolation=\"quadratic\"";
+const std::string mean_pressure = "numerics.energy_increment=\"mean_pressure\"";
+const std::string averaged_strain = "numerics.average_volume_strain=true";
+const std::string objective_strain = "zona.kinematics=\"objective\"";
+
+const std::vector<Variant> variants{
+    {"source", {}},
+    {"mean-pressure", {mean_pressure}},
+    {"averaged", {averaged_strain, mean_pressure}},
+    {"quadratic", {quadratic_functions, mean_pressure}},
+    {"quadratic-averaged", {quadratic_functions, averaged_strain, mean_pressure}},
+    {"recommended", {quadratic_functions, objective_strain, mean_pressure}}};
+
+std::vector<Run> numerics_runs(Extent extent) {
+  std::vector<Run> runs;
+  for (const auto& [name, overrides] : variants) {
+    const bool quick = extent == Extent::quick;
+    runs.push_back(
+        {name, quick ? "piercing_lateral_quick.toml" : "piercing_lateral.toml", overrides});
+    runs.back().overrides.push_back(quick ? "time.end=\"15 us\"" : "time.end=\"30 us\"");
+    runs.back().overrides.push_back("output.fields=false");
+  }
+  return runs;
+}
+
+/// Root mean square distance of the force along the motion from the mean of its neighbours in the
+/// history, in the second half of the run [N].
+double force_noise(const RunResults& run) {
+  const ResultTable history = run.table("history.csv");
+  const auto& force = history["force_y"];
+  double squares = 0;
+  int count = 0;
+  for (std::size_t i = force.size() / 2; i + 1 < force.size(); ++i, ++count) {
+    squares += std::pow(force[i] - 0.5 * (force[i - 1] + force[i + 1]), 2);
+  }
+  return std::sqrt(squares / count);
+}
+
+/// Mean range of the cytoplasm's cell-averaged pressure in the second half of the run [Pa].
+double pressure_range(const RunResults& run) {
+  const ResultTable history = run.table("history.csv");
+  const auto& low = history["cytoplasm_pressure_low"];
+  const auto& high = history["cytoplasm_pressure_high"];
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = low.size() / 2; i < low.size(); ++i, ++count) sum += high[i] - low[i];
+  return sum / count;
+}
+
+/// Energy of all bodies that nothing has supplied: its rise less the pipette's work, over that.
+double energy_excess(const RunResults& run) {
+  const ResultTable history = run.table("history.csv");
+  const auto& kinetic = history["kinetic_energy"];
+  const auto& stored = history["stored_energy"];
+  const double work = history["pipette_work"].back();
+  return (kinetic.back() + stored.back() - kinetic[0] - stored[0] - work) / work;
+}
+
+Evaluation evaluate_numerics(const CaseResults& results, Extent extent) {
+  Evaluation evaluation;
+  Panel forces{"", {"time [us]"}, {"force along the motion [uN]"}, {}};
+  Panel pressures{"", {"time [us]"}, {"highest pressure in the cytoplasm [kPa]"}, {}};
+  for (const auto& [name, overrides] : variants) {
+    const RunResults& run = results[name];
+    const auto tell = [&](const char* what, double value, const char* meaning) {
+      evaluation.checks.push_back(told(fmt::format("{}: {}", name, what), value, "none", meaning));
+    };
+    tell("noise of the force [uN]", force_noise(run) * 1e6, "from sample to sample");
+    tell("range of pressure in the cytoplasm [kPa]", pressure_range(run) / 1e3, "cell averages");
+    tell("failed area [um^2]", square_micrometres(run), "at the end");
+    tell("energy out of nothing over the pipette's work", energy_excess(run),
+         "what leaves through the faces and what failure dissipates would make it negative");
+    tell("million point-steps/s", run.number("point_steps_per_second") / 1e6, "its cost");
+    if (name == "averaged" || name == "mean-pressure") continue;
+    const ResultTable history = run.table("history.csv");
+    Curve force{name, {}, {}, Style::line}, pressure{name, {}, {}, Style::line};
+    for (std::size_t i = 0; i < history.rows(); ++i) {
+      force.x.push_back(history["time"][i] * 1e6);
+      force.y.push_back(history["force_y"][i] * 1e6);
+      pressure.x.push_back(history["time"][i] * 1e6);
+      pressure.y.push_back(history["cytoplasm_pressure_high"][i] / 1e3);
+    }
+    forces.curves.push_back(std::move(force));
+    pressures.curves.push_back(std::move(pressure));
+  }
+  const std::string offered = "what an option is offered for, it has to halve at least";
+  const auto ratio = [&](const std::string& variant, const auto& measure) {
+    return std::abs(measure(results[variant]) / measure(results["source"]));
+  };
+  evaluation.checks.push_back(at_most("noise of the force over the source's, recommended",
+                                      ratio("recommended", force_noise), 0.5, offered));
+  evaluation.checks.push_back(at_most("range of pressure over the source's, averaged",
+                                      ratio("averaged", pressure_range), 0.5, offered));
+  evaluation.checks.push_back(at_most("energy out of nothing over the source's, mean pressure",
+                                      ratio("mean-pressure", energy_excess), 0.5, offered));
+  evaluation.figures.push_back(
+      {"numerics",
+       fmt::format("The lateral vibration, cells of {} um.", extent == Extent::quick ? 9 : 6),
+       {forces, pressures},
+       {}});
+  return evaluation;
+}
+
 }  // namespace
+
+Case piercing_numerics() {
+  return {"piercing_numerics",
+          "Zona piercing, choices of the scheme",
+          "",
+          "the source's scheme: noise, energy, failed area",
+          numerics_runs,
+          evaluate_numerics};
+}
 
 Case piercing_lateral() {
   return {"piercing_lateral",
