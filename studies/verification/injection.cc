@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "studies/references/indented_egg.h"
 #include "studies/verification/case_list.h"
@@ -18,35 +20,36 @@ struct Injection {
 };
 
 std::vector<Injection> injections(Extent extent) {
-  const auto at = [](double pascals) {
-    return fmt::format("body.cytoplasm.p_infinity=\"{} Pa\"", pascals);
-  };
-  if (extent == Extent::quick) {
-    const std::vector<std::string> coarse{"grid.cell=\"9 um\"",
-                                          "grid.high=[\"99 um\", \"72 um\", \"72 um\"]",
-                                          "time.end=\"250 us\"", "body.zona.level=4"};
-    std::vector<Injection> runs;
-    for (const double p : {2.1e8, 2.4e8}) {
-      runs.push_back({fmt::format("p-{:.3e}", p), p, coarse});
-      runs.back().overrides.push_back(at(p));
-    }
-    return runs;
-  }
+  const std::string averaged = "body.cytoplasm.average_volume_strain=true";
+  const std::vector<std::string> coarse{
+      "grid.cell=\"9 um\"", "grid.high=[\"99 um\", \"72 um\", \"72 um\"]", "body.zona.level=4"};
+  const bool quick = extent == Extent::quick;
   std::vector<Injection> runs;
-  for (const double p : {2.1e8, 2.115e8, 2.12e8, 2.2e8, 2.4e8}) {
-    runs.push_back({fmt::format("p-{:.3e}", p), p, {at(p)}});
+  for (const double p : quick ? std::vector<double>{2.1e8, 2.4e8}
+                              : std::vector<double>{2.1e8, 2.115e8, 2.12e8, 2.2e8, 2.4e8}) {
+    runs.push_back({fmt::format("p-{:.3e}", p), p, {}});
   }
-  runs.push_back({"points-27", 2.12e8, {at(2.12e8), "body.cytoplasm.points_per_cell=3"}});
-  runs.push_back({"averaged", 2.12e8, {at(2.12e8), "body.cytoplasm.average_volume_strain=true"}});
-  runs.push_back({"objective", 2.12e8, {at(2.12e8), "body.zona.kinematics=\"objective\""}});
-  runs.push_back(
-      {"cell-4um",
-       2.12e8,
-       {at(2.12e8), "grid.cell=\"4 um\"", "grid.high=[\"92 um\", \"72 um\", \"72 um\"]"}});
-  runs.push_back(
-      {"cell-9um",
-       2.12e8,
-       {at(2.12e8), "grid.cell=\"9 um\"", "grid.high=[\"99 um\", \"72 um\", \"72 um\"]"}});
+  for (const double p : {2.1e8, 2.4e8}) {
+    runs.push_back({fmt::format("averaged-p-{:.3e}", p), p, {averaged}});
+  }
+  if (quick) {
+    for (Injection& run : runs) {
+      run.overrides.insert(run.overrides.end(), coarse.begin(), coarse.end());
+      run.overrides.push_back("output.fields=false");
+    }
+  } else {
+    runs.push_back({"points-27", 2.12e8, {"body.cytoplasm.points_per_cell=3"}});
+    runs.push_back({"objective", 2.12e8, {"body.zona.kinematics=\"objective\""}});
+    runs.push_back(
+        {"averaged-objective", 2.12e8, {averaged, "body.zona.kinematics=\"objective\""}});
+    runs.push_back({"cell-4um",
+                    2.12e8,
+                    {"grid.cell=\"4 um\"", "grid.high=[\"92 um\", \"72 um\", \"72 um\"]"}});
+    runs.push_back({"cell-9um", 2.12e8, coarse});
+  }
+  for (Injection& run : runs) {
+    run.overrides.push_back(fmt::format("body.cytoplasm.p_infinity=\"{} Pa\"", run.pascals));
+  }
   return runs;
 }
 
@@ -78,28 +81,45 @@ std::string table_5_1(double pascals) {
   return "none";
 }
 
+/// Mean of the second half of the run, in which the egg swings about its equilibrium.
+double settled(const Curve& curve) {
+  const std::size_t half = curve.y.size() / 2;
+  return std::accumulate(curve.y.begin() + half, curve.y.end(), 0.0) /
+         static_cast<double>(curve.y.size() - half);
+}
+
+/// Largest less smallest over the largest.
+double spread(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return (*high - *low) / *high;
+}
+
 Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
   Evaluation evaluation;
   Panel pressures{"P_infinity", {"time [us]"}, {"displacement [um]"}, {}};
   Panel others{"P_infinity 2.12e8 Pa", {"time [us]"}, {"displacement [um]"}, {}};
-  double lowest = HUGE_VAL, highest = 0;
+  std::vector<double> sweep, averaged;
   for (const Injection& injection : injections(extent)) {
-    Curve curve = displacement(results[injection.label], injection.label);
-    const double end = curve.y.back();
-    const bool is_sweep = injection.label.rfind("p-", 0) == 0;
-    evaluation.checks.push_back(told("displacement at the end [um], " + injection.label, end,
-                                     is_sweep ? table_5_1(injection.pascals) : "none",
-                                     "experiment: 7.466"));
-    if (is_sweep) {
-      lowest = std::min(lowest, end);
-      highest = std::max(highest, end);
-    }
-    (is_sweep ? pressures : others).curves.push_back(std::move(curve));
+    const std::string& label = injection.label;
+    Curve curve = displacement(results[label], label);
+    const bool of_sweep = label.rfind("p-", 0) == 0;
+    const bool of_averaged = label.rfind("averaged-p-", 0) == 0;
+    if (of_sweep) sweep.push_back(settled(curve));
+    if (of_averaged) averaged.push_back(settled(curve));
+    evaluation.checks.push_back(told("mean displacement [um], " + label, settled(curve),
+                                     of_sweep ? table_5_1(injection.pascals) : "none",
+                                     "second half of the run; experiment: 7.466"));
+    (of_sweep || of_averaged ? pressures : others).curves.push_back(std::move(curve));
   }
-  const double spread = (highest - lowest) / highest;
+  evaluation.checks.push_back(told("spread over P_infinity, as the source", spread(sweep), "0.41",
+                                   "(Table 5.1); of noise in pressures that lock"));
   evaluation.checks.push_back(at_most(
-      "spread of the displacement over P_infinity", spread, 0.05,
-      "a volume changes by p / (5 P_infinity), 1e-6 at 1 kPa: no displacement can depend on it"));
+      "spread over P_infinity, averaged volumetric strain", spread(averaged), 0.02,
+      "a volume changes by p / (5 P_infinity), 1e-6 at 1 kPa: no displacement can depend on it; "
+      "2 % for what is left of the noise"));
+  evaluation.checks.push_back(at_least(
+      "displacement with averaged volumetric strain over that without", averaged[0] / sweep[0], 1.5,
+      "if the cells lock, averaging frees them: half as far again at least"));
   const auto egg = references::indent_egg(references::egg_of_the_source(), {0.5e-6}).back();
   auto summed_egg = references::egg_of_the_source();
   summed_egg.summed = true;
@@ -109,10 +129,7 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
                                    fmt::format("axisymmetric, by Newton's method; {:.3g} with the "
                                                "source's summed strains; pressure {:.3g} Pa",
                                                summed.displacement * 1e6, egg.pressure)));
-  const Curve limit{"experiment",
-                    {0, extent == Extent::quick ? 250. : 500.},
-                    {experiment, experiment},
-                    Style::limit};
+  const Curve limit{"experiment", {0, 250}, {experiment, experiment}, Style::limit};
   pressures.curves.push_back(limit);
   evaluation.figures.push_back(
       {"displacement", "Figure 5.6: axial displacement of the pipette.", {pressures}, {}});
@@ -121,13 +138,18 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
       fmt::format(
           "Table 5.1 falls from 7.8 to 4.6 um with P_infinity. That cannot be physics: at the "
           "{:.0f} Pa that 0.5 uN raise, the cytoplasm's volume changes by {:.1g} for any of "
-          "its values. What the runs depend on instead is told above.",
+          "its values.",
           egg.pressure, egg.volume_change),
+      "The displacement near 7 um is the cells': points of an almost incompressible fluid in "
+      "trilinear cells lock, and a locked egg hardly deforms. With the volumetric strain averaged "
+      "over cells it goes more than twice as far. So the agreement of 7.3 um with the experiment "
+      "is not one of the model's.",
       fmt::format(
-          "The equilibrium of 5.2 as it is stated lies at {:.1f} um on a plate, four times "
-          "the experiment's 7.466 um, which would take a far stiffer zona or another support. "
-          "So the experiment is no criterion here.",
-          egg.displacement * 1e6)};
+          "The equilibrium of 5.2 as it is stated lies at {:.1f} um on a plate ({:.1f} um with "
+          "the source's strains), four times the experiment's 7.466 um; meeting that takes a far "
+          "stiffer zona or another support. Cells wider than the pipette press on a wider spot and "
+          "stop short of it. So the experiment is no criterion here.",
+          egg.displacement * 1e6, summed.displacement * 1e6)};
   return evaluation;
 }
 
