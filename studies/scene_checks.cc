@@ -175,7 +175,7 @@ void check_profile(const Table& profile, const Complain& complain) {
       complain("times", fmt::format("{:g} s is after the end of the run, {:g} s", time, end));
     }
   }
-  if (!profile.is_auto("width") && !profile.study().is_default(profile.key("cells"))) {
+  if (!profile.is_auto("width") && profile.integer("cells") != 1) {
     complain("cells", "counts only where width = \"auto\"; remove one of them");
   }
   if (profile.is_auto("bodies")) return;

@@ -62,7 +62,8 @@ def draw_panels(figure, path):
 def draw_zona(figure, folder):
     script = pathlib.Path(__file__).with_name("render_zona.py")
     for picture, name in zip(figure["zona"], figure["files"]):
-        command = [sys.executable, script, pathlib.Path(figure["runs"]) / picture["run"], "--output", folder / name]
+        command = [sys.executable, script, pathlib.Path(figure["runs"]) / picture["run"], "--dpi", "110",
+                   "--output", folder / name]
         if picture["microseconds"]:
             command += ["--times", *map(str, picture["microseconds"])]
         subprocess.run(command, check=True)

@@ -65,6 +65,10 @@ std::vector<Run> net_runs(Extent extent) {
                   file,
                   {fmt::format("grid.cell=\"{} mm\"", net_cells(extent).back()),
                    "body.net.kinematics=\"objective\""}});
+  // The source's step is a fiftieth of the critical one.
+  for (Run& run : runs) {
+    if (extent == Extent::quick) run.overrides.push_back("time.step=\"100 us\"");
+  }
   return runs;
 }
 
@@ -152,9 +156,10 @@ std::vector<Run> box_runs(Extent extent) {
   for (const int cell : box_cells(extent)) {
     runs.push_back(
         {fmt::format("cell-{}mm", cell), file, {fmt::format("grid.cell=\"{} mm\"", cell)}});
+    // The source's 100 x 100 points stand too far apart there: the gas slips between them.
+    if (cell < 10) runs.back().overrides.push_back("body.lid.sheet_points=[200, 200]");
   }
   runs.push_back({"increments", file, {"body.lid.stress_update=\"increments\""}});
-  runs.push_back({"total", file, {"body.lid.stress_update=\"total\""}});
   runs.push_back({"objective", file, {"body.lid.kinematics=\"objective\""}});
   return runs;
 }
@@ -202,7 +207,7 @@ Evaluation evaluate_box(const CaseResults& results, Extent extent) {
         told("mean distance from the model over its largest value, " + label, errors.back(), "none",
              "0 to 30 ms"));
   }
-  const Curve total = history_curve(results["total"], "total strains", "cube");
+  const Curve total = history_curve(results["cell-10mm"], "total strains", "cube");
   const Curve increments = history_curve(results["increments"], "increments", "cube");
   double difference = 0, largest = 0;
   for (std::size_t i = 0; i < total.x.size(); ++i) {

@@ -23,29 +23,35 @@ std::vector<Injection> injections(Extent extent) {
   const std::string averaged = "body.cytoplasm.average_volume_strain=true";
   const std::vector<std::string> coarse{
       "grid.cell=\"9 um\"", "grid.high=[\"99 um\", \"72 um\", \"72 um\"]", "body.zona.level=4"};
+  // The plate as the pipette of 5.4: its points rest, and the grid mixes them by mass.
+  const std::string seeping = "body.plate.drive=\"points\"";
   const bool quick = extent == Extent::quick;
   std::vector<Injection> runs;
   for (const double p : quick ? std::vector<double>{2.1e8, 2.4e8}
                               : std::vector<double>{2.1e8, 2.115e8, 2.12e8, 2.2e8, 2.4e8}) {
-    runs.push_back({fmt::format("p-{:.3e}", p), p, {}});
+    runs.push_back({fmt::format("p-{:.3e}", p), p, {seeping}});
   }
+  runs.push_back({"held", 2.12e8, {}});
   for (const double p : {2.1e8, 2.4e8}) {
     runs.push_back({fmt::format("averaged-p-{:.3e}", p), p, {averaged}});
   }
   if (quick) {
     for (Injection& run : runs) {
       run.overrides.insert(run.overrides.end(), coarse.begin(), coarse.end());
+      run.overrides.push_back("time.end=\"120 us\"");
       run.overrides.push_back("output.fields=false");
     }
   } else {
-    runs.push_back({"points-27", 2.12e8, {"body.cytoplasm.points_per_cell=3"}});
-    runs.push_back({"objective", 2.12e8, {"body.zona.kinematics=\"objective\""}});
+    const std::string objective = "body.zona.kinematics=\"objective\"";
+    runs.push_back({"averaged-objective", 2.12e8, {averaged, objective}});
+    runs.push_back({"seeping-points-27", 2.12e8, {seeping, "body.cytoplasm.points_per_cell=3"}});
+    runs.push_back({"seeping-objective", 2.12e8, {seeping, objective}});
     runs.push_back(
-        {"averaged-objective", 2.12e8, {averaged, "body.zona.kinematics=\"objective\""}});
-    runs.push_back({"cell-4um",
-                    2.12e8,
-                    {"grid.cell=\"4 um\"", "grid.high=[\"92 um\", \"72 um\", \"72 um\"]"}});
-    runs.push_back({"cell-9um", 2.12e8, coarse});
+        {"seeping-cell-4um",
+         2.12e8,
+         {seeping, "grid.cell=\"4 um\"", "grid.high=[\"92 um\", \"72 um\", \"72 um\"]"}});
+    runs.push_back({"seeping-cell-9um", 2.12e8, coarse});
+    runs.back().overrides.push_back(seeping);
   }
   for (Injection& run : runs) {
     run.overrides.push_back(fmt::format("body.cytoplasm.p_infinity=\"{} Pa\"", run.pascals));
@@ -117,9 +123,10 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
       "spread over P_infinity, averaged volumetric strain", spread(averaged), 0.02,
       "a volume changes by p / (5 P_infinity), 1e-6 at 1 kPa: no displacement can depend on it; "
       "2 % for what is left of the noise"));
-  evaluation.checks.push_back(at_least(
-      "displacement with averaged volumetric strain over that without", averaged[0] / sweep[0], 1.5,
-      "if the cells lock, averaging frees them: half as far again at least"));
+  const double held = settled(displacement(results["held"], "held"));
+  evaluation.checks.push_back(
+      at_least("displacement with averaged volumetric strain over that without", averaged[0] / held,
+               1.5, "if the cells lock, averaging frees them: half as far again at least"));
   const auto egg = references::indent_egg(references::egg_of_the_source(), {0.5e-6}).back();
   auto summed_egg = references::egg_of_the_source();
   summed_egg.summed = true;
@@ -129,7 +136,8 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
                                    fmt::format("axisymmetric, by Newton's method; {:.3g} with the "
                                                "source's summed strains; pressure {:.3g} Pa",
                                                summed.displacement * 1e6, egg.pressure)));
-  const Curve limit{"experiment", {0, 250}, {experiment, experiment}, Style::limit};
+  const bool quick = extent == Extent::quick;
+  const Curve limit{"experiment", {0, quick ? 120. : 250.}, {experiment, experiment}, Style::limit};
   pressures.curves.push_back(limit);
   evaluation.figures.push_back(
       {"displacement", "Figure 5.6: axial displacement of the pipette.", {pressures}, {}});
@@ -140,10 +148,14 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
           "{:.0f} Pa that 0.5 uN raise, the cytoplasm's volume changes by {:.1g} for any of "
           "its values.",
           egg.pressure, egg.volume_change),
-      "The displacement near 7 um is the cells': points of an almost incompressible fluid in "
-      "trilinear cells lock, and a locked egg hardly deforms. With the volumetric strain averaged "
-      "over cells it goes more than twice as far. So the agreement of 7.3 um with the experiment "
-      "is not one of the model's.",
+      fmt::format(
+          "Points of an almost incompressible fluid in trilinear cells lock: held firmly, the egg "
+          "moves by {:.2g} um only, and by {:.3g} um once the volumetric strain is averaged over "
+          "cells. With a plate whose points merely rest, as the source moves its pipette in 5.4, "
+          "a locked egg seeps through the plate, by amounts that depend on noise, cells, points "
+          "and time. A displacement of some 7 um can come about in this way; the agreement of "
+          "7.3 um with the experiment is then not one of the model's.",
+          held, averaged[0]),
       fmt::format(
           "The equilibrium of 5.2 as it is stated lies at {:.1f} um on a plate ({:.1f} um with "
           "the source's strains), four times the experiment's 7.466 um; meeting that takes a far "

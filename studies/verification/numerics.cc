@@ -102,7 +102,7 @@ Evaluation evaluate_vortex(const CaseResults& results, Extent extent) {
   const int finest = vortex_cells(extent).back();
   Panel velocities{
       fmt::format("{} cells, t = 0.5 s", finest), {"x [m]"}, {"velocity across [m/s]"}, {}};
-  Panel pressures{"", {"cells", true}, {"error of the pressure [Pa]", true}, {}};
+  Panel pressures{"", {"cells"}, {"error of the pressure [Pa]", true}, {}};
   for (const std::string variant : {"source", "averaged", "quadratic"}) {
     Curve errors{variant, {}, {}, Style::line};
     for (const int cells : vortex_cells(extent)) {

@@ -77,11 +77,22 @@ Panel area_over_time(const CaseResults& results, const std::string& law, Extent 
   return panel;
 }
 
+/// Largest over smallest failed area of the cell sizes.
+double dependence_on_cells(const CaseResults& results, const std::string& law, Extent extent,
+                           int coarsest) {
+  double smallest = HUGE_VAL, largest = 0;
+  for (const auto& [cell, suffix] : resolutions(extent)) {
+    if (cell > coarsest) continue;
+    smallest = std::min(smallest, square_micrometres(results[label(law, cell)]));
+    largest = std::max(largest, square_micrometres(results[label(law, cell)]));
+  }
+  return largest / smallest;
+}
+
 Evaluation evaluate_lateral(const CaseResults& results, Extent extent) {
   Evaluation evaluation;
   Figure areas{"area", "Failed area over time, by law and cell size.", {}, {}};
   for (const std::string& law : laws) {
-    double smallest = HUGE_VAL, largest = 0;
     Figure pictures{law, fmt::format("The zona with {}, failed points red.", law), {}, {}};
     for (const auto& [cell, suffix] : resolutions(extent)) {
       const RunResults& run = results[label(law, cell)];
@@ -89,14 +100,12 @@ Evaluation evaluate_lateral(const CaseResults& results, Extent extent) {
           at_least(fmt::format("failed points, {}, {} um", law, cell), run.number("failed_points"),
                    1, "the source's main finding: the lateral vibration pierces the zona"));
       tell_pattern(fmt::format("{}, {} um", law, cell), run, evaluation);
-      smallest = std::min(smallest, square_micrometres(run));
-      largest = std::max(largest, square_micrometres(run));
       pictures.zona.push_back({label(law, cell), {28, 52, 76, 100}});
     }
     if (extent == Extent::full) {
       evaluation.checks.push_back(
-          told(fmt::format("largest over smallest failed area of the cell sizes, {}", law),
-               largest / smallest,
+          told(fmt::format("largest over smallest failed area, 6 to 4 um, {}", law),
+               dependence_on_cells(results, law, extent, 6),
                law == "decohesion" ? "\"independent of the mesh\"" : "\"mesh-dependent\"",
                "1 would be independence"));
     }
@@ -104,6 +113,21 @@ Evaluation evaluate_lateral(const CaseResults& results, Extent extent) {
     evaluation.figures.push_back(std::move(pictures));
   }
   evaluation.figures.push_back(std::move(areas));
+  evaluation.remarks.push_back(
+      "The source finds four corner areas with elastodamage (Figures 5.16 to 5.18) and strips "
+      "along "
+      "the vibration with decohesion (5.19 to 5.21). Here both laws fail one band along the "
+      "vibration, in front of which islands of a cell's size may stay intact: the share of the "
+      "failed area on the diagonals is below the third that a ring would have.");
+  if (extent == Extent::full) {
+    evaluation.remarks.push_back(fmt::format(
+        "The source calls elastodamage mesh-dependent and decohesion independent of the mesh. "
+        "Between 6 and 4 um the failed area varies by a factor of {:.2f} with the first and {:.2f} "
+        "with the second: with u_0 = 1e-8 m a point fails in the step of its peak with either (see "
+        "the single points), so neither has an inner length, and both follow the cells.",
+        dependence_on_cells(results, "elastodamage", extent, 6),
+        dependence_on_cells(results, "decohesion", extent, 6)));
+  }
   return evaluation;
 }
 
