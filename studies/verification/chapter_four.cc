@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "studies/references/gas_box.h"
 #include "studies/references/string_impact.h"
@@ -235,7 +238,8 @@ Evaluation evaluate_box(const CaseResults& results, Extent extent) {
     }
     return curve;
   };
-  const double source_end = panel.curves[cells.size() - 1].y.back();
+  std::vector<double> source_ends;
+  for (std::size_t c = 0; c < cells.size(); ++c) source_ends.push_back(panel.curves[c].y.back());
   const double objective_end = panel.curves.back().y.back();
   panel.curves.push_back(model_curve(summed, "model, summed strain", Style::reference));
   panel.curves.push_back(model_curve(stretches, "model, stretches", Style::reference));
@@ -245,9 +249,14 @@ Evaluation evaluate_box(const CaseResults& results, Extent extent) {
   };
   const std::string origin =
       "the cells spread the cube's footprint: between a rigid cube and a mass without stiffness";
-  for (const auto& [name, value, soft, rigid] :
-       {std::tuple{"source kinematics", source_end, end(soft_summed), end(summed)},
-        std::tuple{"objective kinematics", objective_end, end(soft_stretches), end(stretches)}}) {
+  std::vector<std::tuple<std::string, double, double, double>> ends;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    ends.emplace_back(fmt::format("source kinematics, cells of {} mm", cells[c]), source_ends[c],
+                      end(soft_summed), end(summed));
+  }
+  ends.emplace_back("objective kinematics, cells of 10 mm", objective_end, end(soft_stretches),
+                    end(stretches));
+  for (const auto& [name, value, soft, rigid] : ends) {
     evaluation.checks.push_back(
         within(fmt::format("displacement of the cube at 30 ms [mm], {}", name), value,
                0.5 * (soft + rigid), 0.5 * (rigid - soft),
@@ -263,6 +272,15 @@ Evaluation evaluate_box(const CaseResults& results, Extent extent) {
                   "doubles that of small slopes, lifts the cube {:.1f} mm, true stretches {:.1f} "
                   "mm.",
                   end(summed), end(stretches))};
+  if (extent == Extent::full) {
+    evaluation.remarks.push_back(
+        "The displacement does not converge: with cells of 5 mm it falls below the model's. No gas "
+        "is above the lid then, but the densities of its points have drifted from the volume that "
+        "they fill, most of them far below it, and their pressure with them. What drives that is "
+        "noise: with linear functions the gas keeps half of its work as a motion of its own, "
+        "thousands of times what the lid's speed gives it. B-splines keep it calm at first, not "
+        "until the end. A gas that light, next to a vacuum, is beyond the scheme as it is.");
+  }
   return evaluation;
 }
 
