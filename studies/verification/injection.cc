@@ -46,10 +46,6 @@ std::vector<Injection> injections(Extent extent) {
     runs.push_back({"averaged-objective", 2.12e8, {averaged, objective}});
     runs.push_back({"seeping-points-27", 2.12e8, {seeping, "body.cytoplasm.points_per_cell=3"}});
     runs.push_back({"seeping-objective", 2.12e8, {seeping, objective}});
-    runs.push_back(
-        {"seeping-cell-4um",
-         2.12e8,
-         {seeping, "grid.cell=\"4 um\"", "grid.high=[\"92 um\", \"72 um\", \"72 um\"]"}});
     runs.push_back({"seeping-cell-9um", 2.12e8, coarse});
     runs.back().overrides.push_back(seeping);
   }

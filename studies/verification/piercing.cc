@@ -228,7 +228,7 @@ const std::vector<Variant> variants{
     {"averaged", {averaged_strain, mean_pressure}},
     {"quadratic", {quadratic_functions, mean_pressure}},
     {"quadratic-averaged", {quadratic_functions, averaged_strain, mean_pressure}},
-    {"recommended", {quadratic_functions, averaged_strain, objective_strain, mean_pressure}}};
+    {"recommended", {quadratic_functions, objective_strain, mean_pressure}}};
 
 std::vector<Run> numerics_runs(Extent extent) {
   std::vector<Run> runs;
@@ -307,8 +307,9 @@ Evaluation evaluate_numerics(const CaseResults& results, Extent extent) {
   };
   evaluation.checks.push_back(at_most("noise of the force over the source's, recommended",
                                       ratio("recommended", force_noise), 0.5, offered));
-  evaluation.checks.push_back(at_most("range of pressure over the source's, averaged",
-                                      ratio("averaged", pressure_range), 0.5, offered));
+  evaluation.checks.push_back(told("range of pressure over the source's, averaged",
+                                   ratio("averaged", pressure_range), "1",
+                                   "0.4 with cells of 9 um and 8 points, 1.0 with 6 um and 27"));
   evaluation.checks.push_back(at_most("|energy beyond the work| over the source's, mean pressure",
                                       ratio("mean-pressure", energy_excess), 0.5, offered));
   evaluation.figures.push_back(
@@ -316,6 +317,17 @@ Evaluation evaluate_numerics(const CaseResults& results, Extent extent) {
        fmt::format("The lateral vibration, cells of {} um.", extent == Extent::quick ? 9 : 6),
        {forces, pressures},
        {}});
+  evaluation.remarks = {
+      "Recommended for piercings beside the source's scheme: quadratic B-splines, objective "
+      "strains "
+      "and the mean pressure (piercing_recommended.toml). The first takes most of the noise out of "
+      "the force, the second gives the zona's strain its meaning and an energy, the third makes "
+      "the "
+      "balance of energy one, and moves nothing. Averaged volumetric strain is not among them: "
+      "with "
+      "the source's 27 points a cell it calms no pressure here. It is for fluids that lock (see "
+      "the "
+      "injection) and for flows (see the vortex)."};
   return evaluation;
 }
 
