@@ -141,9 +141,10 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
   evaluation.remarks = {
       fmt::format(
           "Table 5.1 falls from 7.8 to 4.6 um with P_infinity. That cannot be physics: at the "
-          "{:.0f} Pa that 0.5 uN raise, the cytoplasm's volume changes by {:.1g} for any of "
+          "{:.0f} Pa that 0.5 uN raise, the cytoplasm's volume changes by {:.0e} at most, for any "
+          "of "
           "its values.",
-          egg.pressure, egg.volume_change),
+          egg.pressure, egg.pressure / (5 * 2.12e8)),
       fmt::format(
           "Points of an almost incompressible fluid in trilinear cells lock: held firmly, the egg "
           "moves by {:.2g} um only, and by {:.3g} um once the volumetric strain is averaged over "
