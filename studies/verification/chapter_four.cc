@@ -278,8 +278,9 @@ Evaluation evaluate_box(const CaseResults& results, Extent extent) {
         "is above the lid then, but the densities of its points have drifted from the volume that "
         "they fill, most of them far below it, and their pressure with them. What drives that is "
         "noise: with linear functions the gas keeps half of its work as a motion of its own, "
-        "thousands of times what the lid's speed gives it. B-splines keep it calm at first, not "
-        "until the end. A gas that light, next to a vacuum, is beyond the scheme as it is.");
+        "thousands of times what the lid's speed gives it. The same drift has begun with cells of "
+        "10 "
+        "mm, where the cube does not show it. Its cause is open.");
   }
   return evaluation;
 }

@@ -149,16 +149,17 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
           "Points of an almost incompressible fluid in trilinear cells lock: held firmly, the egg "
           "moves by {:.2g} um only, and by {:.3g} um once the volumetric strain is averaged over "
           "cells. With a plate whose points merely rest, as the source moves its pipette in 5.4, "
-          "a locked egg seeps through the plate, by amounts that depend on noise, cells, points "
-          "and time. A displacement of some 7 um can come about in this way; the agreement of "
+          "a locked egg seeps through the plate, by an amount that depends on the points per cell "
+          "and on time. A displacement of some 7 um can come about in this way; the agreement of "
           "7.3 um with the experiment is then not one of the model's.",
           held, averaged[0]),
       fmt::format(
           "The equilibrium of 5.2 as it is stated lies at {:.1f} um on a plate ({:.1f} um with "
           "the source's strains), four times the experiment's 7.466 um; meeting that takes a far "
-          "stiffer zona or another support. Cells wider than the pipette press on a wider spot and "
-          "stop short of it. So the experiment is no criterion here.",
-          egg.displacement * 1e6, summed.displacement * 1e6)};
+          "stiffer zona or another support. The averaged runs swing "
+          "about some {:.0f} um: cells as wide as the pipette press on a wider spot, which in the "
+          "equilibrium costs some microns too. So the experiment is no criterion here.",
+          egg.displacement * 1e6, summed.displacement * 1e6, averaged[0])};
   return evaluation;
 }
 
