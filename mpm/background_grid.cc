@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mpm/errors.h"
 
@@ -10,7 +11,12 @@ namespace zona::mpm {
 
 BackgroundGrid::BackgroundGrid(const Eigen::Vector3d& origin, const Eigen::Vector3d& cell_size,
                                const std::array<int, 3>& cells, Interpolation interpolation)
-    : origin_(origin), cell_size_(cell_size), cells_(cells), interpolation_(interpolation) {
+    : origin_(origin),
+      cell_size_(cell_size),
+      inverse_cell_size_{1 / cell_size[0], 1 / cell_size[1], 1 / cell_size[2]},
+      characteristic_length_(std::cbrt(cell_size.prod())),
+      cells_(cells),
+      interpolation_(interpolation) {
   const int per_axis = interpolation == Interpolation::quadratic ? 3 : 2;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(cell_size[axis] > 0) || cells[axis] < 1) {
@@ -73,11 +79,6 @@ int BackgroundGrid::brick_of(const std::array<int, 3>& cell) const {
 int BackgroundGrid::cell_in_brick(const std::array<int, 3>& cell) {
   return (cell[2] % Brick::edge * Brick::edge + cell[1] % Brick::edge) * Brick::edge +
          cell[0] % Brick::edge;
-}
-
-void BackgroundGrid::clear() {
-  std::fill(state.begin(), state.end(), Lanes{});
-  std::fill(updated.begin(), updated.end(), HalfLanes{});
 }
 
 }  // namespace zona::mpm

@@ -62,8 +62,9 @@ class BackgroundGrid {
   const std::array<int, 3>& nodes_along() const { return nodes_along_; }
   Eigen::Vector3d upper_corner() const;
   double cell_volume() const { return cell_size_.prod(); }
+  const std::array<double, 3>& inverse_cell_size() const { return inverse_cell_size_; }
   /// Characteristic length of a cell [m] (4.46).
-  double characteristic_length() const { return std::cbrt(cell_volume()); }
+  double characteristic_length() const { return characteristic_length_; }
   std::size_t node_count() const { return state.size(); }
 
   const std::vector<Brick>& bricks() const { return bricks_; }
@@ -90,8 +91,6 @@ class BackgroundGrid {
   /// Offsets of a cell's `nodes_per_cell` nodes from its lowest one.
   const std::array<int, 27>& node_offsets() const { return node_offsets_; }
 
-  void clear();
-
   std::vector<Lanes, AlignedAllocator<Lanes>> state;  ///< of each node, see above
   std::vector<HalfLanes, AlignedAllocator<HalfLanes>>
       updated;  ///< momentum, then velocity, mapped back from the points (3.38)-(3.39); [3]: mass
@@ -100,6 +99,8 @@ class BackgroundGrid {
  private:
   Eigen::Vector3d origin_;
   Eigen::Vector3d cell_size_;
+  std::array<double, 3> inverse_cell_size_;  ///< [1/m]
+  double characteristic_length_;
   std::array<int, 3> cells_;
   Interpolation interpolation_;
   std::array<int, 3> nodes_along_;

@@ -24,11 +24,9 @@ inline Cell make_cell(const BackgroundGrid& grid, const Brick& brick, int cell_i
   const std::array<int, 3> index{brick.first_cell[0] + cell_in_brick % e,
                                  brick.first_cell[1] + cell_in_brick / e % e,
                                  brick.first_cell[2] + cell_in_brick / (e * e)};
-  Cell cell{{}, {}, grid.node_index(index[0], index[1], index[2]), index};
-  for (int axis = 0; axis < 3; ++axis) {
+  Cell cell{{}, grid.inverse_cell_size(), grid.node_index(index[0], index[1], index[2]), index};
+  for (int axis = 0; axis < 3; ++axis)
     cell.corner[axis] = grid.origin()[axis] + index[axis] * grid.cell_size()[axis];
-    cell.inverse[axis] = 1 / grid.cell_size()[axis];
-  }
   return cell;
 }
 

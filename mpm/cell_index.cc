@@ -43,15 +43,19 @@ int CellIndex::build(const BackgroundGrid& grid, const std::array<Field, 3>& pos
 }
 
 int CellIndex::move_departed(const BackgroundGrid& grid, const std::array<Field, 3>& position) {
+  for (auto& brick : bricks_) brick.arrivals.clear();
   for (auto& brick : bricks_) {
     for (const auto& [point, cell] : brick.departures) {
       const auto target = grid.cell_at(position[0][point], position[1][point], position[2][point]);
       if (target[0] < 0) return point;
       brick.erase(cell, point);
-      bricks_[grid.brick_of(target)].insert(BackgroundGrid::cell_in_brick(target), point);
+      BrickPoints& entered = bricks_[grid.brick_of(target)];
+      entered.insert(BackgroundGrid::cell_in_brick(target), point);
+      entered.arrivals.push_back(point);
     }
     brick.departures.clear();
   }
+  for (auto& brick : bricks_) std::sort(brick.arrivals.begin(), brick.arrivals.end());
   return -1;
 }
 

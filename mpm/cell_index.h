@@ -18,6 +18,7 @@ struct BrickPoints {
   std::vector<int> points;
   std::array<int, Brick::cell_count + 1> begin{};  ///< where each cell's points start in `points`
   std::vector<Departure> departures;               ///< filled while points move
+  std::vector<int> arrivals;                       ///< ascending; of the last `move_departed`
 
   bool empty() const { return points.empty(); }
   void insert(int cell, int point);
@@ -30,7 +31,8 @@ class CellIndex {
  public:
   /// Sorts all points into cells. Returns the first point outside the grid, or -1.
   int build(const BackgroundGrid& grid, const std::array<Field, 3>& position);
-  /// Moves the departed points of all bricks to their new cells. Returns the lowest-numbered
+  /// Moves the departed points of all bricks to their new cells, where they are listed as arrivals.
+  /// Returns the lowest-numbered
   /// brick's first point outside the grid, or -1.
   int move_departed(const BackgroundGrid& grid, const std::array<Field, 3>& position);
 

@@ -11,9 +11,14 @@ template <class Shape, class Material, class Motion>
 void gather_cells(Material& material, Body& body, int b, double dt, const Motion& motion,
                   BackgroundGrid& grid) {
   BrickPoints& brick = body.cells.brick(b);
-  for_each_cell(grid, b, brick, [&](const Cell& cell, const int* begin, const int* end, int c) {
-    gather_cell<Shape>(material, body.points, cell, begin, end, c, dt, motion, brick, grid);
-  });
+  for_each_cell_or_batch(
+      grid, b, brick, Shape::few_points,
+      [&](const Cell& cell, const int* begin, const int* end, int c) {
+        gather_cell<Shape>(material, body.points, cell, begin, end, c, dt, motion, brick, grid);
+      },
+      [&](const Batch& batch) {
+        gather_batch(material, body.points, batch, dt, motion, brick, grid);
+      });
 }
 
 }  // namespace

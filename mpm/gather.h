@@ -1,22 +1,21 @@
 #pragma once
 
-#include "mpm/cell.h"
 #include "mpm/prescribed.h"
-#include "mpm/velocity_gradient.h"
-#include "mpm/volume_average.h"
+#include "mpm/trilinear_batch.h"
 
 namespace zona::mpm {
 
-/// Lists the points of a group that left the cell.
+/// Lists the points of a group that left their cells, which cell_of(lane) tells.
+template <class CellOf>
 inline void note_departures(const PointGroup& group, const std::array<Lanes, 3>& natural,
-                            int cell_in_brick, BrickPoints& points) {
+                            CellOf cell_of, BrickPoints& points) {
   LaneMask outside{};
   for (int axis = 0; axis < 3; ++axis) {
     outside |= ~((natural[axis] >= 0.0) & (natural[axis] < 1.0));
   }
   if (!any(outside, group.count())) return;
   for (int l = 0; l < group.count(); ++l) {
-    if (outside[l]) points.departures.push_back({group[l], cell_in_brick});
+    if (outside[l]) points.departures.push_back({group[l], cell_of(l)});
   }
 }
 
@@ -82,13 +81,14 @@ template <class Shape, class Material, class Motion>
   const typename Shape::CellField field(grid, cell);
   typename Shape::VectorSums momentum(grid, cell);
   for_each_group(begin, end, [&](const PointGroup& group) {
-    std::array<Lanes, 3> position = group.load(points.position);
+    std::array<Lanes, 3> position = group.load(points.last_position);
     const auto natural = cell.natural(position);
     std::array<Lanes, 3> velocity;
     motion(material, points, group, field, natural, dt, velocity, position);
     group.store(points.velocity, velocity);
-    group.store(points.next_position, position);
-    note_departures(group, cell.natural(position), cell_in_brick, brick_points);
+    group.store(points.position, position);
+    note_departures(
+        group, cell.natural(position), [=](int) { return cell_in_brick; }, brick_points);
 
     PointVectors at;
     const Lanes mass = group.load(points.mass);
@@ -102,36 +102,25 @@ template <class Shape, class Material, class Motion>
                          [&](int node, const HalfLanes& sum) { grid.updated[node] += sum; });
 }
 
-/// Mean divergence [1/s] over the points of a cell, by volume.
-template <class Material, class CellGradient>
-inline double mean_divergence(const Material& material, const MaterialPoints& points,
-                              const Cell& cell, const CellGradient& gradient, const int* begin,
-                              const int* end) {
-  return volume_average(material, points, begin, end, [&](const PointGroup& group) {
-    return divergence(gradient.at(cell.natural(group.load(points.position))));
-  });
-}
-
-/// Strains the points of one cell and updates their stress (3.40)-(3.42), with their mean
-/// volumetric strain rate if `averaged`. Adds to `bad` the points whose state lost its meaning.
-template <class Shape, bool averaged, class Material>
-[[gnu::flatten]] inline void update_cell(Material& material, const MaterialPoints& points,
-                                         const Cell& cell, const int* begin, const int* end,
-                                         double dt, const BackgroundGrid& grid,
-                                         std::vector<int>& bad) {
-  const double length = grid.characteristic_length();
-  const typename Shape::CellGradient gradient(grid, cell);
-  double mean = 0;
-  if constexpr (averaged) mean = mean_divergence(material, points, cell, gradient, begin, end);
-  for_each_group(begin, end, [&](const PointGroup& group) {
-    VelocityGradient l = gradient.at(cell.natural(group.load(points.position)));
-    if constexpr (averaged) l = with_divergence(l, mean);
-    const LaneMask failed = material.update(group, l, dt, length);
-    if (!any(failed, group.count())) return;
-    for (int lane = 0; lane < group.count(); ++lane) {
-      if (failed[lane]) bad.push_back(group[lane]);
-    }
-  });
+/// The same for a batch of points of cells with few.
+template <class Material, class Motion>
+[[gnu::flatten]] inline void gather_batch(Material& material, MaterialPoints& points,
+                                          const Batch& batch, double dt, const Motion& motion,
+                                          BrickPoints& brick_points, BackgroundGrid& grid) {
+  const PointGroup& group = batch.group;
+  std::array<Lanes, 3> position = group.load(points.last_position);
+  const auto natural = batch.natural(position);
+  const trilinear::BatchWeights weights(batch, natural);
+  const trilinear::BatchField field(grid, batch, weights);
+  std::array<Lanes, 3> velocity;
+  motion(material, points, group, field, natural, dt, velocity, position);
+  group.store(points.velocity, velocity);
+  group.store(points.position, position);
+  note_departures(
+      group, batch.natural(position), [&](int l) { return batch.cell[l]; }, brick_points);
+  const Lanes mass = group.load(points.mass);
+  trilinear::add_vectors(batch, weights,
+                         {mass * velocity[0], mass * velocity[1], mass * velocity[2]}, grid);
 }
 
 }  // namespace zona::mpm

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <new>
 #include <vector>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 namespace zona::mpm {
 
@@ -30,6 +33,26 @@ inline Lanes load(const double* source) {
 
 inline void store(double* target, const Lanes& lanes) {
   __builtin_memcpy(target, &lanes, sizeof(Lanes));
+}
+
+/// The first `count` lanes from memory, the first of them in the others too; `count` is at least 1.
+inline Lanes load_first(const double* source, int count) {
+#ifdef __AVX512F__
+  return _mm512_mask_loadu_pd(_mm512_set1_pd(*source), static_cast<__mmask8>((1u << count) - 1),
+                              source);
+#else
+  Lanes lanes;
+  for (int l = 0; l < lane_count; ++l) lanes[l] = source[l < count ? l : 0];
+  return lanes;
+#endif
+}
+
+inline void store_first(double* target, const Lanes& lanes, int count) {
+#ifdef __AVX512F__
+  _mm512_mask_storeu_pd(target, static_cast<__mmask8>((1u << count) - 1), lanes);
+#else
+  for (int l = 0; l < count; ++l) target[l] = lanes[l];
+#endif
 }
 
 inline Lanes square_root(const Lanes& a) {

@@ -21,7 +21,7 @@ MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places,
     }
     points.mass[p] = mass[p];
   }
-  points.next_position = points.position;
+  points.last_position = points.position;
   points.id.resize(places.size());
   std::iota(points.id.begin(), points.id.end(), 0);
   return points;

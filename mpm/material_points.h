@@ -16,7 +16,7 @@ using SymmetricTensorLanes = std::array<Lanes, 6>;
 /// What every body's points have: mass, place and velocity, one array per component.
 struct MaterialPoints {
   std::array<Field, 3> position;       ///< [m]
-  std::array<Field, 3> next_position;  ///< at the end of the running step [m]
+  std::array<Field, 3> last_position;  ///< at the start of the running step [m]
   std::array<Field, 3> velocity;       ///< [m/s]
   Field mass;                          ///< [kg]
   std::vector<int>
@@ -33,7 +33,7 @@ struct MaterialPoints {
   std::vector<int> storage_by_id() const;
   template <class F>
   void for_each_field(F f) {
-    for (auto* group : {&position, &next_position, &velocity}) {
+    for (auto* group : {&position, &last_position, &velocity}) {
       for (auto& field : *group) f(field);
     }
     f(mass);
@@ -50,8 +50,11 @@ MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places,
 class PointGroup {
  public:
   PointGroup(const int* points, int count) : count_(count) {
-    for (int l = 0; l < lane_count; ++l) point_[l] = points[l < count ? l : 0];
-    contiguous_ = count == lane_count && point_[lane_count - 1] - point_[0] == lane_count - 1;
+    contiguous_ = true;
+    for (int l = 0; l < lane_count; ++l) {
+      point_[l] = points[l < count ? l : 0];
+      contiguous_ = contiguous_ && (l >= count || point_[l] == point_[0] + l);
+    }
   }
   /// Eight consecutive points.
   explicit PointGroup(int first) : count_(lane_count), contiguous_(true) {
@@ -62,13 +65,17 @@ class PointGroup {
   int operator[](int lane) const { return point_[lane]; }
 
   Lanes load(const Field& field) const {
-    if (contiguous_) return mpm::load(&field[point_[0]]);
+    if (contiguous_) {
+      const double* source = field.data() + point_[0];
+      __builtin_prefetch(source + prefetch_distance);
+      return count_ == lane_count ? mpm::load(source) : load_first(source, count_);
+    }
     Lanes lanes;
     for (int l = 0; l < lane_count; ++l) lanes[l] = field[point_[l]];
     return lanes;
   }
   void store(Field& field, const Lanes& lanes) const {
-    if (contiguous_) return mpm::store(&field[point_[0]], lanes);
+    if (contiguous_) return store_first(field.data() + point_[0], lanes, count_);
     for (int l = 0; l < count_; ++l) field[point_[l]] = lanes[l];
   }
   std::array<Lanes, 3> load(const std::array<Field, 3>& field) const {
@@ -84,6 +91,10 @@ class PointGroup {
   }
 
  private:
+  /// Points between the one that is loaded and the one that the caches are told to fetch: storage
+  /// is in the order of the walk, but has too many streams for the processor to follow by itself.
+  static constexpr int prefetch_distance = 64;
+
   int point_[lane_count];
   int count_;
   bool contiguous_;

@@ -238,6 +238,7 @@ struct Quadratic {
   using VectorSums = quadratic::VectorSums;
   using CellField = quadratic::CellField;
   using CellGradient = quadratic::CellGradient;
+  static constexpr int few_points = 0;  ///< there are no batches
 };
 
 }  // namespace zona::mpm

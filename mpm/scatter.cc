@@ -9,10 +9,12 @@ namespace {
 
 template <class Shape, bool averaged, class Material>
 void scatter_cells(const Material& material, const Body& body, int b, BackgroundGrid& grid) {
-  for_each_cell(grid, b, body.cells.brick(b),
-                [&](const Cell& cell, const int* begin, const int* end, int) {
-                  scatter_cell<Shape, averaged>(material, body.points, cell, begin, end, grid);
-                });
+  for_each_cell_or_batch(
+      grid, b, body.cells.brick(b), averaged ? 0 : Shape::few_points,
+      [&](const Cell& cell, const int* begin, const int* end, int) {
+        scatter_cell<Shape, averaged>(material, body.points, cell, begin, end, grid);
+      },
+      [&](const Batch& batch) { scatter_batch(material, body.points, batch, grid); });
 }
 
 }  // namespace

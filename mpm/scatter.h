@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm/cell.h"
+#include "mpm/trilinear_batch.h"
 #include "mpm/velocity_gradient.h"
 #include "mpm/volume_average.h"
 
@@ -19,33 +19,36 @@ inline SymmetricTensorLanes acting_stress(const Material& material, const PointG
   return sigma;
 }
 
-template <bool averaged, class Material>
-inline void load_stress(const Material& material, const PointGroup& group, const Cell& cell,
-                        const Lanes& mass, double mean_stress, PointLoads& loads) {
-  const Lanes volume = material.volume(group, mass);
-  const SymmetricTensorLanes sigma = acting_stress<averaged>(material, group, mean_stress);
-  constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-  for (int j = 0; j < 3; ++j) {
-    const Lanes scale = -cell.inverse[j] * volume;
-    for (int i = 0; i < 3; ++i) store(loads.stress[i][j], sigma[component[i][j]] * scale);
-  }
-}
-
-/// Adds mass (3.30), momentum (3.31) and internal force (3.32) of a group of points.
-template <bool averaged, class NodalSums, class Material>
-inline void add_points(const Material& material, const MaterialPoints& points,
-                       const PointGroup& group, const Cell& cell, double mean_stress,
-                       NodalSums& sums) {
+/// What a group of points brings to the nodes; `place` is the Cell or Batch that it lies in.
+template <bool averaged, class Place, class Material>
+inline PointLoads loads_of(const Material& material, const MaterialPoints& points,
+                           const PointGroup& group, const Place& place, double mean_stress) {
   PointLoads loads;
-  const auto natural = cell.natural(group.load(points.position));
+  const auto natural = place.natural(group.load(points.position));
   const Lanes mass = group.load(points.mass);
   store(loads.mass, mass);
   for (int i = 0; i < 3; ++i) {
     store(loads.natural[i], natural[i]);
     store(loads.momentum[i], mass * group.load(points.velocity[i]));
   }
-  if constexpr (Material::has_stress)
-    load_stress<averaged>(material, group, cell, mass, mean_stress, loads);
+  if constexpr (Material::has_stress) {
+    const Lanes volume = material.volume(group, mass);
+    const SymmetricTensorLanes sigma = acting_stress<averaged>(material, group, mean_stress);
+    constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+    for (int j = 0; j < 3; ++j) {
+      const Lanes scale = -place.inverse[j] * volume;
+      for (int i = 0; i < 3; ++i) store(loads.stress[i][j], sigma[component[i][j]] * scale);
+    }
+  }
+  return loads;
+}
+
+/// Adds mass (3.30), momentum (3.31) and internal force (3.32) of a group of points of a cell.
+template <bool averaged, class NodalSums, class Material>
+inline void add_points(const Material& material, const MaterialPoints& points,
+                       const PointGroup& group, const Cell& cell, double mean_stress,
+                       NodalSums& sums) {
+  const PointLoads loads = loads_of<averaged>(material, points, group, cell, mean_stress);
   for (int p = 0; p < group.count(); ++p) sums.template add<Material::has_stress>(loads, p);
 }
 
@@ -67,6 +70,15 @@ template <class Shape, bool averaged, class Material>
     add_points<averaged>(material, points, group, cell, mean_stress, sums);
   });
   sums.add_to_nodes(cell, material.wave_speed(), material.shear_wave_speed(), grid);
+}
+
+/// The same for a batch of points of cells with few, without averages.
+template <class Material>
+[[gnu::flatten]] inline void scatter_batch(const Material& material, const MaterialPoints& points,
+                                           const Batch& batch, BackgroundGrid& grid) {
+  const PointLoads loads = loads_of<false>(material, points, batch.group, batch, 0);
+  trilinear::add_to_nodes<Material::has_stress>(batch, loads, material.wave_speed(),
+                                                material.shear_wave_speed(), grid);
 }
 
 }  // namespace zona::mpm

@@ -82,13 +82,15 @@ void strain_solid(Solid<Law>& solid, const SymmetricTensor& increment) {
   solid.update(PointGroup(&point, 1), gradient, 1, 1);
 }
 
-void strain_membrane(MaterialPoints& points, Membrane& membrane, const SymmetricTensor& strain) {
+void strain_membrane(const MaterialPoints& points, Membrane& membrane,
+                     const SymmetricTensor& strain) {
+  std::array<Field, 3> strained = points.position;
   for (int p = 0; p < points.size(); ++p) {
     const Vector3d x = points.position_of(p);
-    points.next_position[0][p] = x.x() + strain[0] * x.x() + strain[3] * x.y();
-    points.next_position[1][p] = x.y() + strain[3] * x.x() + strain[1] * x.y();
+    strained[0][p] = x.x() + strain[0] * x.x() + strain[3] * x.y();
+    strained[1][p] = x.y() + strain[3] * x.x() + strain[1] * x.y();
   }
-  membrane.update_stress(points.next_position, 0, 1);
+  membrane.update_stress(strained, 0, 1);
 }
 
 }  // namespace

@@ -59,18 +59,31 @@ Solver::Solver(Model model, double step, int threads)
     }
   }
   share_bricks();
+  scatter();
 }
 
 void Solver::step() {
+  StageClock clock(stage_seconds_);
   prescribe_motion();
-  scatter();              // (3.30)-(3.32)
-  add_loads();            // (5.51)
-  advance_momentum();     // (3.33)
-  gather_and_map_back();  // (3.34)-(3.39)
-  apply_essential_conditions_again();
-  update_stress();  // (3.40)-(3.42)
-  move_to_next_positions();
+  add_loads();  // (5.51)
+  clock.mark(Stage::loads);
+  advance_momentum();  // (3.33)
+  clock.mark(Stage::advance);
+  gather_and_map_back();  // (3.34)-(3.38)
+  clock.mark(Stage::gather);
+  finish_nodes();  // (3.39)
+  clock.mark(Stage::finish);
+  update_what_cannot_wait();
+  clock.mark(Stage::update);
+  update_membranes();
+  clock.mark(Stage::surface);
+  index_moved_points();
+  clock.mark(Stage::index);
+  update_and_scatter();  // (3.40)-(3.42), then (3.30)-(3.32) of the next step
+  clock.mark(Stage::scatter);
   ++steps_;
+  if (steps_ % reorder_interval == 0) store_as_walked();
+  clock.mark(Stage::reorder);
 }
 
 template <class F>
@@ -80,6 +93,18 @@ void Solver::for_coloured_bricks(F f) {
     const auto& begin = share_begin_[colour];
     if (bricks.empty()) continue;
 #pragma omp for schedule(static, 1)
+    for (int t = 0; t < threads_; ++t) {
+      for (int i = begin[t]; i < begin[t + 1]; ++i) f(bricks[i]);
+    }
+  }
+}
+
+template <class F>
+void Solver::for_bricks(F f) {
+  for (int colour = 0; colour < 8; ++colour) {
+    const auto& bricks = model_.grid.bricks_by_colour()[colour];
+    const auto& begin = share_begin_[colour];
+#pragma omp for schedule(static, 1) nowait
     for (int t = 0; t < threads_; ++t) {
       for (int i = begin[t]; i < begin[t + 1]; ++i) f(bricks[i]);
     }
@@ -126,20 +151,12 @@ void Solver::prescribe_motion() {
 }
 
 void Solver::scatter() {
-  const auto nodes = static_cast<long>(model_.grid.node_count());
 #pragma omp parallel num_threads(threads_)
-  {
-#pragma omp for schedule(static)
-    for (long n = 0; n < nodes; ++n) {
-      model_.grid.state[n] = Lanes{};
-      model_.grid.updated[n] = HalfLanes{};
+  for_coloured_bricks([this](int b) {
+    for (const auto& body : model_.bodies) {
+      if (!body.cells.brick(b).empty()) scatter_brick(body, b, model_.grid);
     }
-    for_coloured_bricks([this](int b) {
-      for (const auto& body : model_.bodies) {
-        if (!body.cells.brick(b).empty()) scatter_brick(body, b, model_.grid);
-      }
-    });
-  }
+  });
 }
 
 void Solver::add_loads() {
@@ -156,6 +173,7 @@ void Solver::advance_momentum() {
   const Lanes gravity{0, 0, 0, 0, model_.gravity.x(), model_.gravity.y(), model_.gravity.z(), 0};
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (long n = 0; n < nodes; ++n) {
+    grid.updated[n] = HalfLanes{};
     Lanes& node = grid.state[n];
     const double mass = node[0];
     if (!(mass > smallest_nodal_mass)) {
@@ -180,6 +198,7 @@ void Solver::advance_momentum() {
 }
 
 void Solver::gather_and_map_back() {
+  for (auto& body : model_.bodies) std::swap(body.points.position, body.points.last_position);
 #pragma omp parallel num_threads(threads_)
   for_coloured_bricks([this](int b) {
     for (auto& body : model_.bodies) {
@@ -197,13 +216,14 @@ void Solver::gather_and_map_back() {
   }
 }
 
-void Solver::apply_essential_conditions_again() {
+void Solver::finish_nodes() {
   auto& grid = model_.grid;
   const auto nodes = static_cast<long>(grid.node_count());
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (long n = 0; n < nodes; ++n) {
     const double mass = grid.state[n][0];
     grid.updated[n] *= mass > smallest_nodal_mass ? 1 / mass : 0.0;
+    grid.state[n] = Lanes{};
   }
   hold_updated_faces(grid, model_.faces);
   for (std::size_t h = 0; h < held_nodes_.size(); ++h) {
@@ -216,40 +236,59 @@ void Solver::apply_essential_conditions_again() {
   }
 }
 
-void Solver::update_stress() {
+void Solver::update_what_cannot_wait() {
 #pragma omp parallel num_threads(threads_)
-  for_coloured_bricks([this](int b) {
+  for_bricks([this](int b) {
     for (auto& body : model_.bodies) {
-      if (body.cells.brick(b).empty()) continue;
-      const std::vector<int> bad = update_brick(body, b, dt_, model_.grid);
-      if (bad.empty()) continue;
-#pragma omp critical
-      for (int p : bad) bad_points_.push_back({static_cast<int>(&body - model_.bodies.data()), p});
+      if (!body.cells.brick(b).empty())
+        note_bad_points(body, update_brick(body, b, dt_, model_.grid));
     }
   });
-  if (!bad_points_.empty()) {
-    const auto first = *std::min_element(
-        bad_points_.begin(), bad_points_.end(),
-        [](auto& a, auto& b) { return std::pair(a.body, a.point) < std::pair(b.body, b.point); });
-    fail_at(model_.bodies[first.body], first.point,
-            "a point was compressed or expanded beyond what a step can describe");
-  }
+}
+
+void Solver::update_membranes() {
   for (auto& body : model_.bodies) {
     if (auto* membrane = std::get_if<Membrane>(&body.material)) {
-      membrane->update_stress(body.points.next_position, (steps_ + 1) * dt_, threads_);
+      membrane->update_stress(body.points.position, (steps_ + 1) * dt_, threads_);
     }
   }
 }
 
-void Solver::move_to_next_positions() {
+void Solver::index_moved_points() {
   for (auto& body : model_.bodies) {
-    std::swap(body.points.position, body.points.next_position);
     const int lost = body.cells.move_departed(model_.grid, body.points.position);
     if (lost < 0) continue;
     const bool finite = body.points.position_of(lost).allFinite();
     fail_at(body, lost, finite ? "a point left the grid" : "a position is not finite");
   }
-  if ((steps_ + 1) % reorder_interval == 0) store_as_walked();
+}
+
+void Solver::update_and_scatter() {
+#pragma omp parallel num_threads(threads_)
+  for_coloured_bricks([this](int b) {
+    for (auto& body : model_.bodies) {
+      if (!body.cells.brick(b).empty())
+        note_bad_points(body, update_and_scatter_brick(body, b, dt_, model_.grid));
+    }
+  });
+  refuse_bad_points();
+}
+
+void Solver::note_bad_points(const Body& body, const std::vector<int>& points) {
+  if (points.empty()) return;
+  const int number = static_cast<int>(&body - model_.bodies.data());
+#pragma omp critical(zona_bad_points)
+  for (int p : points) bad_points_.push_back({number, body.points.id[p]});
+}
+
+void Solver::refuse_bad_points() {
+  if (bad_points_.empty()) return;
+  const auto first = *std::min_element(
+      bad_points_.begin(), bad_points_.end(),
+      [](auto& a, auto& b) { return std::pair(a.body, a.id) < std::pair(b.body, b.id); });
+  const Body& body = model_.bodies[first.body];
+  fail_at(body, body.points.storage_by_id()[first.id],
+          "a point was compressed or expanded beyond what a step can describe");
 }
 
 void Solver::store_as_walked() {

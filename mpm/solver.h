@@ -7,6 +7,7 @@
 #include "mpm/critical_step.h"
 #include "mpm/damping.h"
 #include "mpm/load.h"
+#include "mpm/stage_clock.h"
 
 namespace zona::mpm {
 
@@ -28,7 +29,8 @@ struct Model {
   Numerics numerics{};
 };
 
-/// Explicit material point method, MUSL variant, the algorithm of section 3.2.
+/// Explicit material point method, MUSL variant, the algorithm of section 3.2. Between steps the
+/// nodes hold what the points have scattered, (3.30)-(3.32).
 ///
 /// Results are the same to the last bit for any number of threads: bricks of one colour share no
 /// node, and every sum over points or bricks is taken in one order.
@@ -51,16 +53,20 @@ class Solver {
   const Body& body(const std::string& name) const;
   /// Held nodes in the order of the model, with the reactions of the last step.
   const std::vector<HeldNodes>& held() const { return model_.held; }
+  /// Wall time of all steps so far [s].
+  const StageSeconds& stage_seconds() const { return stage_seconds_; }
 
  private:
   void prescribe_motion();
-  void scatter();
   void add_loads();
   void advance_momentum();
   void gather_and_map_back();
-  void apply_essential_conditions_again();
-  void update_stress();
-  void move_to_next_positions();
+  void finish_nodes();
+  void update_what_cannot_wait();
+  void update_membranes();
+  void index_moved_points();
+  void update_and_scatter();
+  void scatter();
   void store_as_walked();
   void share_bricks();
 
@@ -68,6 +74,11 @@ class Solver {
   /// the same bricks, side by side in space, so that their points stay in its caches.
   template <class F>
   void for_coloured_bricks(F f);
+  /// f(brick) for all bricks in parallel, for what does not touch the nodes; threads do not wait.
+  template <class F>
+  void for_bricks(F f);
+  void note_bad_points(const Body& body, const std::vector<int>& points);
+  void refuse_bad_points();
   [[noreturn]] void fail_at(const Body& body, int point, const std::string& what) const;
 
   Model model_;
@@ -77,12 +88,13 @@ class Solver {
   double dt_;
   int threads_;
   long steps_ = 0;
+  StageSeconds stage_seconds_{};
   /// For each colour, where each thread's share of its bricks begins.
   std::array<std::vector<int>, 8> share_begin_;
   std::vector<std::vector<int>> driven_nodes_;  ///< per body, of those that drive nodes
   struct BadPoint {
     int body;
-    int point;
+    int id;
   };
   std::vector<BadPoint> bad_points_;
 };

@@ -16,7 +16,14 @@ void scatter_brick(const Body& body, int b, BackgroundGrid& grid);
 /// momentum mapped back (3.34)-(3.38).
 void gather_brick(Body& body, int b, double dt, double pic, BackgroundGrid& grid);
 
-/// Strains and stresses (3.40)-(3.42). Returns the points whose state lost its meaning.
+/// Strains and stresses (3.40)-(3.42) of the points that cannot wait for update_and_scatter_brick,
+/// because more than the points of their cell or another cell has a part in them: those of
+/// membranes and averaged bodies, and those about to leave their cell. Returns the points whose
+/// state lost its meaning.
 std::vector<int> update_brick(Body& body, int b, double dt, const BackgroundGrid& grid);
+
+/// Strains and stresses of all other points, and what scatter_brick does, for the points that are
+/// in the brick now. Returns the points whose state lost its meaning.
+std::vector<int> update_and_scatter_brick(Body& body, int b, double dt, BackgroundGrid& grid);
 
 }  // namespace zona::mpm

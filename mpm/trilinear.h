@@ -183,6 +183,8 @@ struct Trilinear {
   using VectorSums = trilinear::VectorSums;
   using CellField = trilinear::CellField;
   using CellGradient = trilinear::CellGradient;
+  /// A cell with up to this many points goes into a batch (trilinear_batch.h).
+  static constexpr int few_points = 4;
 };
 
 }  // namespace zona::mpm

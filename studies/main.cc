@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "studies/bench/bench.h"
 #include "studies/commands.h"
 #include "studies/reference.h"
 #include "studies/verification/verify.h"
@@ -61,6 +62,21 @@ void add_verify(CLI::App& program, VerifyOptions& options, int& code) {
   command.callback([&] { code = with_messages([&] { return verify(options); }); });
 }
 
+void add_bench(CLI::App& program, bench::BenchOptions& options, int& code) {
+  CLI::App& command = *program.add_subcommand(
+      "bench", "Measure how fast the steps run and what the memory would allow");
+  command.add_option("SCENE", options.scenes,
+                     "Scenes (default: those that --list does not bracket)");
+  command.add_flag("--list", options.list, "Only list the scenes");
+  command.add_option("--seconds", options.seconds, "Time for each scene and number of threads")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "Number of threads next to one (default: all)")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--json", options.json, "Print JSON");
+  command.callback([&] { code = with_messages([&] { return bench::run_bench(options); }); });
+}
+
 int print(const std::string& text) {
   std::cout << text;
   return exit_ok;
@@ -94,11 +110,13 @@ int main(int argc, char** argv) {
       "failed, 130 interrupted.");
   RunOptions options;
   VerifyOptions verification;
+  bench::BenchOptions bench_options;
   std::string key;
   int code = exit_ok;
   add_run(program, options, code);
   add_check(program, options, code);
   add_verify(program, verification, code);
+  add_bench(program, bench_options, code);
   add_references(program, key, code);
   try {
     program.parse(argc, argv);

@@ -2,9 +2,8 @@
 #include <random>
 
 #include "mpm/errors.h"
-#include "mpm/gather.h"
-#include "mpm/scatter.h"
 #include "mpm/shape_functions.h"
+#include "mpm/update.h"
 #include "vortex_model.h"
 
 using namespace zona::mpm;

@@ -23,12 +23,13 @@ struct SmallSheet {
 
   /// Moves the points to f times their first places.
   void deform(const Eigen::Matrix3d& f, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
+    auto moved = points.position;
     for (int p = 0; p < points.size(); ++p) {
       const Eigen::Vector3d x = f * points.position_of(p) + shift;
-      for (int c = 0; c < 3; ++c) points.next_position[c][p] = x[c];
+      for (int c = 0; c < 3; ++c) moved[c][p] = x[c];
     }
     time += 1;
-    membrane.update_stress(points.next_position, time, 1);
+    membrane.update_stress(moved, time, 1);
   }
   /// Principal stretches less one along x and y, and shear: the strain that the points have then,
   /// without turning.
