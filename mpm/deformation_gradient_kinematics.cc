@@ -91,20 +91,20 @@ void DeformationGradientKinematics::build_weights(int point, const Surface& surf
   }
 }
 
-void DeformationGradientKinematics::follow(const std::array<Field, 3>& x, Surface&, int threads) {
-  const int count = static_cast<int>(reference_.size());
-#pragma omp parallel for num_threads(threads) schedule(static)
-  for (int p = 0; p < count; ++p) {
-    double f[6] = {0, 0, 0, 0, 0, 0};
+void DeformationGradientKinematics::follow(const PointGroup& group, const std::array<Field, 3>& x,
+                                           const Surface&) {
+  std::array<Lanes, 6> f{};
+  for (int l = 0; l < group.count(); ++l) {
+    const int p = group[l];
     for (int n = first_neighbour_[p]; n < first_neighbour_[p + 1]; ++n) {
       for (int c = 0; c < 3; ++c) {
         const double edge = x[c][neighbour_[n]] - x[c][p];
-        f[c] += edge * weight_[n][0];
-        f[3 + c] += edge * weight_[n][1];
+        f[c][l] += edge * weight_[n][0];
+        f[3 + c][l] += edge * weight_[n][1];
       }
     }
-    for (int c = 0; c < 6; ++c) gradient_[c][p] = f[c];
   }
+  group.store(gradient_, f);
 }
 
 LocalStrain DeformationGradientKinematics::local_strain(const PointGroup& group) const {

@@ -55,6 +55,12 @@ inline void store_first(double* target, const Lanes& lanes, int count) {
 #endif
 }
 
+/// source[index[l]] in each lane.
+inline Lanes gather(const double* source, const int* index) {
+  return Lanes{source[index[0]], source[index[1]], source[index[2]], source[index[3]],
+               source[index[4]], source[index[5]], source[index[6]], source[index[7]]};
+}
+
 inline Lanes square_root(const Lanes& a) {
   Lanes result;
   for (int l = 0; l < lane_count; ++l) result[l] = std::sqrt(a[l]);

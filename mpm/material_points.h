@@ -75,7 +75,11 @@ class PointGroup {
     return lanes;
   }
   void store(Field& field, const Lanes& lanes) const {
-    if (contiguous_) return store_first(field.data() + point_[0], lanes, count_);
+    if (contiguous_) {
+      double* target = field.data() + point_[0];
+      __builtin_prefetch(target + prefetch_distance, 1);
+      return store_first(target, lanes, count_);
+    }
     for (int l = 0; l < count_; ++l) field[point_[l]] = lanes[l];
   }
   std::array<Lanes, 3> load(const std::array<Field, 3>& field) const {

@@ -70,10 +70,12 @@ void Membrane::update_stress(const std::array<Field, 3>& position, double time, 
   integrity.time = time;
   std::visit(
       [&](auto& k, auto& s) {
-        k.follow(position, surface, threads);
+        k.prepare(position, surface, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
         for (int first = 0; first < count; first += lane_count) {
-          update_group(k, s, consecutive(first, count));
+          const PointGroup group = consecutive(first, count);
+          k.follow(group, position, surface);
+          update_group(k, s, group);
         }
       },
       kinematics, state);

@@ -24,8 +24,14 @@ class SummedStrainKinematics {
 
   /// Adds a step's strain increments (4.4).
   void accumulate(const PointGroup& group, const VelocityGradient& gradient, double dt);
-  /// Turns the local frames to the normals of the given positions (4.12)-(4.21).
-  void follow(const std::array<Field, 3>& position, Surface& surface, int threads);
+  /// To be called before the points follow to the given positions.
+  void prepare(const std::array<Field, 3>& position, Surface& surface, int threads) const {
+    surface.find_normals(position, threads);
+  }
+  /// Turns the local frames of eight consecutive points, from a multiple of eight on, to the
+  /// normals of the given positions (4.12)-(4.21).
+  void follow(const PointGroup& group, const std::array<Field, 3>& position,
+              const Surface& surface);
   /// (4.10)
   LocalStrain local_strain(const PointGroup& group) const;
   void forget_failed(int, const std::vector<int>&, const Surface&) {}
@@ -40,7 +46,6 @@ class SummedStrainKinematics {
   SymmetricTensorField total_strain_;  ///< in the fixed axes [-]
   std::array<Field, 3> normal_;        ///< z'
   std::array<Field, 3> tangent_;       ///< x'
-  std::array<Field, 3> next_normal_;
 };
 
 /// Objective kinematics: the deformation gradient of the intact triangles around a point (area
@@ -51,7 +56,8 @@ class DeformationGradientKinematics {
   DeformationGradientKinematics(const MaterialPoints& points, const Surface& surface);
 
   void accumulate(const PointGroup&, const VelocityGradient&, double) {}
-  void follow(const std::array<Field, 3>& position, Surface& surface, int threads);
+  void prepare(const std::array<Field, 3>&, Surface&, int) const {}
+  void follow(const PointGroup& group, const std::array<Field, 3>& position, const Surface&);
   LocalStrain local_strain(const PointGroup& group) const;
   /// Rebuilds the gradients of `neighbours` from the triangles that are still intact.
   void forget_failed(int point, const std::vector<int>& neighbours, const Surface& surface);

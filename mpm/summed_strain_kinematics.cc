@@ -7,11 +7,14 @@ namespace zona::mpm {
 SummedStrainKinematics::SummedStrainKinematics(const MaterialPoints& points, Surface& surface) {
   const int count = points.size();
   for (auto& component : total_strain_) component.assign(count, 0.0);
-  for (auto* vectors : {&normal_, &tangent_, &next_normal_}) {
+  for (auto* vectors : {&normal_, &tangent_}) {
     for (auto& component : *vectors) component.assign(count, 0.0);
   }
-  surface.point_normals(points.position, normal_, 1);
-  next_normal_ = normal_;
+  surface.find_normals(points.position, 1);
+  for (int first = 0; first < count; first += lane_count) {
+    const VectorLanes sum = surface.normal_sum(first);
+    consecutive(first, count).store(normal_, scaled(sum, 1.0 / square_root(dot(sum, sum))));
+  }
   for (int p = 0; p < count; ++p) {
     const Eigen::Vector3d tangent =
         Eigen::Vector3d(normal_[0][p], normal_[1][p], normal_[2][p]).unitOrthogonal();
@@ -26,30 +29,27 @@ void SummedStrainKinematics::accumulate(const PointGroup& group, const VelocityG
     group.store(total_strain_[c], group.load(total_strain_[c]) + dt * rate[c]);
 }
 
-void SummedStrainKinematics::follow(const std::array<Field, 3>& position, Surface& surface,
-                                    int threads) {
-  surface.point_normals(position, next_normal_, threads);
-  const int count = static_cast<int>(position[0].size());
-#pragma omp parallel for num_threads(threads) schedule(static)
-  for (int first = 0; first < count; first += lane_count) {
-    const PointGroup group = consecutive(first, count);
-    const VectorLanes z = group.load(next_normal_);
-    const VectorLanes old_z = group.load(normal_);
-    const VectorLanes x = group.load(tangent_);
-    // S x' of (4.21) for x' normal to z'_k. With w = z'_k x z'_{k+1} and c = z'_k . z'_{k+1},
-    // S x' = c x' + w (w . x')/(1 + c) - z'_k (z'_{k+1} . x').
-    const VectorLanes w = cross(old_z, z);
-    const Lanes c = dot(old_z, z);
-    const Lanes along = dot(w, x) / (1.0 + c);
-    const Lanes back = dot(z, x);
-    VectorLanes turned;
-    for (int i = 0; i < 3; ++i) turned[i] = c * x[i] + along * w[i] - back * old_z[i];
-    // Round-off must not accumulate over 1e5 steps.
-    const Lanes off = dot(turned, z);
-    for (int i = 0; i < 3; ++i) turned[i] -= off * z[i];
-    group.store(tangent_, scaled(turned, 1.0 / square_root(dot(turned, turned))));
-    group.store(normal_, z);
-  }
+void SummedStrainKinematics::follow(const PointGroup& group, const std::array<Field, 3>&,
+                                    const Surface& surface) {
+  const VectorLanes sum = surface.normal_sum(group[0]);
+  const VectorLanes old_z = group.load(normal_);
+  const VectorLanes x = group.load(tangent_);
+  const Lanes length = square_root(dot(sum, sum));
+  VectorLanes z;
+  for (int i = 0; i < 3; ++i) z[i] = length > 0.0 ? sum[i] / length : old_z[i];
+  // S x' of (4.21) for x' normal to z'_k. With w = z'_k x z'_{k+1} and c = z'_k . z'_{k+1},
+  // S x' = c x' + w (w . x')/(1 + c) - z'_k (z'_{k+1} . x').
+  const VectorLanes w = cross(old_z, z);
+  const Lanes c = dot(old_z, z);
+  const Lanes along = dot(w, x) / (1.0 + c);
+  const Lanes back = dot(z, x);
+  VectorLanes turned;
+  for (int i = 0; i < 3; ++i) turned[i] = c * x[i] + along * w[i] - back * old_z[i];
+  // Round-off must not accumulate over 1e5 steps.
+  const Lanes off = dot(turned, z);
+  for (int i = 0; i < 3; ++i) turned[i] -= off * z[i];
+  group.store(tangent_, scaled(turned, 1.0 / square_root(dot(turned, turned))));
+  group.store(normal_, z);
 }
 
 LocalStrain SummedStrainKinematics::local_strain(const PointGroup& group) const {

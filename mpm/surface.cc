@@ -28,8 +28,7 @@ Surface::Surface(std::vector<Triangle> triangles, const std::vector<Eigen::Vecto
     : triangles_(std::move(triangles)),
       intact_(triangles_.size(), 1),
       first_around_(places.size() + 1, 0),
-      around_(3 * triangles_.size()),
-      triangle_normal_(triangles_.size()) {
+      around_(3 * triangles_.size()) {
   const int count = static_cast<int>(places.size());
   for (const auto& t : triangles_) {
     for (int v : t) {
@@ -51,6 +50,29 @@ Surface::Surface(std::vector<Triangle> triangles, const std::vector<Eigen::Vecto
   std::vector<int> next(first_around_.begin(), first_around_.end() - 1);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     for (int v : triangles_[t]) around_[next[v]++] = static_cast<int>(t);
+  }
+  arrange_in_eights();
+}
+
+void Surface::arrange_in_eights() {
+  const auto whole_eights = [](std::size_t n) {
+    return (n + lane_count - 1) / lane_count * lane_count;
+  };
+  const std::size_t triangles = whole_eights(triangles_.size() + 1);
+  for (int corner = 0; corner < 3; ++corner) {
+    vertex_[corner].assign(triangles, 0);  // without area: no normal
+    for (std::size_t t = 0; t < triangles_.size(); ++t) vertex_[corner][t] = triangles_[t][corner];
+  }
+  for (auto& component : normal_) component.assign(triangles, 0.0);
+  const std::size_t points = first_around_.size() - 1;
+  int most = 0;
+  for (std::size_t p = 0; p < points; ++p)
+    most = std::max(most, first_around_[p + 1] - first_around_[p]);
+  const int none = static_cast<int>(triangles) - 1;
+  column_.assign(most, std::vector<int>(whole_eights(points), none));
+  for (std::size_t p = 0; p < points; ++p) {
+    for (int k = 0; k < first_around_[p + 1] - first_around_[p]; ++k)
+      column_[k][p] = around_[first_around_[p] + k];
   }
 }
 
@@ -76,30 +98,35 @@ std::vector<int> Surface::drop_triangles_of(int point) {
   return others;
 }
 
-void Surface::point_normals(const std::array<Field, 3>& position, std::array<Field, 3>& normal,
-                            int threads) {
-  const int triangle_count = static_cast<int>(triangles_.size());
-  const int point_count = static_cast<int>(first_around_.size()) - 1;
-#pragma omp parallel num_threads(threads)
-  {
-#pragma omp for schedule(static)
-    for (int t = 0; t < triangle_count; ++t) {
-      const Eigen::Vector3d n = area_vector(position, triangles_[t]);
-      const double scale = intact_[t] ? 1 / std::max(n.norm(), 1e-300) : 0.0;
-      triangle_normal_[t] = {n.x() * scale, n.y() * scale, n.z() * scale};
+void Surface::find_normals(const std::array<Field, 3>& position, int threads) {
+  const int count = static_cast<int>(vertex_[0].size());
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (int first = 0; first < count; first += lane_count) {
+    VectorLanes corner[3];
+    for (int v = 0; v < 3; ++v) {
+      for (int c = 0; c < 3; ++c) corner[v][c] = gather(position[c].data(), &vertex_[v][first]);
     }
-#pragma omp for schedule(static)
-    for (int p = 0; p < point_count; ++p) {
-      double sum[3] = {0, 0, 0};
-      for (const int* t = triangles_begin(p); t != triangles_end(p); ++t) {
-        for (int c = 0; c < 3; ++c) sum[c] += triangle_normal_[*t][c];
-      }
-      const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-      if (length > 0) {
-        for (int c = 0; c < 3; ++c) normal[c][p] = sum[c] / length;
-      }
+    VectorLanes u, w;
+    for (int c = 0; c < 3; ++c) {
+      u[c] = corner[1][c] - corner[0][c];
+      w[c] = corner[2][c] - corner[0][c];
     }
+    const VectorLanes n = cross(u, w);
+    Lanes scale = 1.0 / larger(square_root(dot(n, n)), broadcast(1e-300));
+    for (int l = 0; l < lane_count; ++l) {
+      const std::size_t t = first + l;
+      if (t < intact_.size() && !intact_[t]) scale[l] = 0;
+    }
+    for (int c = 0; c < 3; ++c) store(&normal_[c][first], n[c] * scale);
   }
+}
+
+VectorLanes Surface::normal_sum(int first) const {
+  VectorLanes sum{};
+  for (const auto& column : column_) {
+    for (int c = 0; c < 3; ++c) sum[c] += gather(normal_[c].data(), &column[first]);
+  }
+  return sum;
 }
 
 }  // namespace zona::mpm

@@ -41,17 +41,24 @@ class Surface {
   /// Takes the triangles around a failed point out. Returns the other vertices of those triangles.
   std::vector<int> drop_triangles_of(int point);
 
-  /// Point normals (4.12) at the given positions, by `threads` threads. A point without intact
-  /// triangles keeps what `normal` holds.
-  void point_normals(const std::array<Field, 3>& position, std::array<Field, 3>& normal,
-                     int threads);
+  /// Unit normals of the intact triangles at the given positions, by `threads` threads.
+  void find_normals(const std::array<Field, 3>& position, int threads);
+  /// Sum of the normals found around the eight points from `first` on, a multiple of eight: along
+  /// their point normals (4.12). Zero for a point without intact triangles.
+  VectorLanes normal_sum(int first) const;
 
  private:
+  void arrange_in_eights();
+
   std::vector<Triangle> triangles_;
   std::vector<char> intact_;
   std::vector<int> first_around_;
   std::vector<int> around_;
-  std::vector<std::array<double, 3>> triangle_normal_;
+  // The same for eight triangles or points at once, filled up to whole eights: missing triangles
+  // are the last one, whose normal is zero.
+  std::array<std::vector<int>, 3> vertex_;
+  std::vector<std::vector<int>> column_;  ///< [k][p]: k-th triangle around point p
+  std::array<Field, 3> normal_;           ///< of each triangle; zero once it is dropped
 };
 
 }  // namespace zona::mpm
