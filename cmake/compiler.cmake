@@ -2,9 +2,8 @@
 # that link Zona must share it, so it is linked publicly and exported.
 add_library(zona_abi INTERFACE)
 target_compile_options(zona_abi INTERFACE -Wno-psabi)
-if(ZONA_NATIVE)
-  target_compile_options(zona_abi INTERFACE -march=native)
-endif()
+# The same for all levels of instructions, whatever Eigen could use.
+target_compile_definitions(zona_abi INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 
 # What every Zona target is compiled with besides; link it privately.
 add_library(zona_compiler INTERFACE)

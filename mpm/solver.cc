@@ -14,6 +14,8 @@ namespace {
 
 /// Steps between two re-orderings of the storage; points cross a cell in thousands of steps.
 constexpr long reorder_interval = 200;
+/// Steps before, in which the time of each brick is taken, to share the bricks out by it.
+constexpr long timed_steps = 10;
 
 std::vector<std::vector<int>> nodes_held(const Model& model) {
   std::vector<std::vector<int>> nodes;
@@ -30,6 +32,7 @@ Solver::Solver(Model model, double step, int threads)
       damping_(model_.numerics.damping, model_.grid, model_.faces, model_.held, held_nodes_),
       dt_(step),
       threads_(threads),
+      schedule_(model_.grid, std::max(threads, 1)),
       driven_nodes_(model_.bodies.size()) {
   const CriticalStep critical = critical_step(model_.grid, model_.bodies);
   if (!(step > 0)) throw ModelError(fmt::format("the time step must be positive, got {} s", step));
@@ -58,7 +61,7 @@ Solver::Solver(Model model, double step, int threads)
       rigid->brick_impulse.resize(model_.grid.bricks().size());
     }
   }
-  share_bricks();
+  schedule_.share(estimated_costs());
   scatter();
 }
 
@@ -82,61 +85,28 @@ void Solver::step() {
   update_and_scatter();  // (3.40)-(3.42), then (3.30)-(3.32) of the next step
   clock.mark(Stage::scatter);
   ++steps_;
-  if (steps_ % reorder_interval == 0) store_as_walked();
+  if (steps_ % reorder_interval == reorder_interval - timed_steps) schedule_.start_timing();
+  if (steps_ % reorder_interval == 0) {
+    store_as_walked();
+    schedule_.share(schedule_.stop_timing());
+  }
   clock.mark(Stage::reorder);
 }
 
-template <class F>
-void Solver::for_coloured_bricks(F f) {
-  for (int colour = 0; colour < 8; ++colour) {
-    const auto& bricks = model_.grid.bricks_by_colour()[colour];
-    const auto& begin = share_begin_[colour];
-    if (bricks.empty()) continue;
-#pragma omp for schedule(static, 1)
-    for (int t = 0; t < threads_; ++t) {
-      for (int i = begin[t]; i < begin[t + 1]; ++i) f(bricks[i]);
-    }
-  }
-}
-
-template <class F>
-void Solver::for_bricks(F f) {
-  for (int colour = 0; colour < 8; ++colour) {
-    const auto& bricks = model_.grid.bricks_by_colour()[colour];
-    const auto& begin = share_begin_[colour];
-#pragma omp for schedule(static, 1) nowait
-    for (int t = 0; t < threads_; ++t) {
-      for (int i = begin[t]; i < begin[t + 1]; ++i) f(bricks[i]);
-    }
-  }
-}
-
-void Solver::share_bricks() {
+std::vector<double> Solver::estimated_costs() const {
   // What a cell costs beyond its points, in points: its nodes are read and written in every stage.
-  constexpr int cost_of_cell = 2;
-  const auto cost = [this](int b) {
-    long sum = 0;
+  constexpr double cost_of_cell = 2;
+  std::vector<double> cost(model_.grid.bricks().size(), 1.0);
+  for (std::size_t b = 0; b < cost.size(); ++b) {
     for (const auto& body : model_.bodies) {
-      const BrickPoints& points = body.cells.brick(b);
-      sum += static_cast<long>(points.points.size());
+      const BrickPoints& points = body.cells.brick(static_cast<int>(b));
+      cost[b] += static_cast<double>(points.points.size());
       for (int c = 0; c < Brick::cell_count; ++c) {
-        if (points.begin[c] < points.begin[c + 1]) sum += cost_of_cell;
+        if (points.begin[c] < points.begin[c + 1]) cost[b] += cost_of_cell;
       }
     }
-    return sum;
-  };
-  for (int colour = 0; colour < 8; ++colour) {
-    const auto& bricks = model_.grid.bricks_by_colour()[colour];
-    std::vector<long> until{0};
-    for (int b : bricks) until.push_back(until.back() + cost(b));
-    auto& begin = share_begin_[colour];
-    begin.assign(threads_ + 1, static_cast<int>(bricks.size()));
-    for (int t = 0; t < threads_; ++t) {
-      const long target = until.back() * t / threads_;
-      begin[t] = static_cast<int>(std::lower_bound(until.begin(), until.end() - 1, target) -
-                                  until.begin());
-    }
   }
+  return cost;
 }
 
 void Solver::prescribe_motion() {
@@ -151,8 +121,7 @@ void Solver::prescribe_motion() {
 }
 
 void Solver::scatter() {
-#pragma omp parallel num_threads(threads_)
-  for_coloured_bricks([this](int b) {
+  schedule_.in_order([this](int b) {
     for (const auto& body : model_.bodies) {
       if (!body.cells.brick(b).empty()) scatter_brick(body, b, model_.grid);
     }
@@ -162,8 +131,7 @@ void Solver::scatter() {
 void Solver::add_loads() {
   if (loads_.empty()) return;
   loads_.evaluate(time());
-#pragma omp parallel num_threads(threads_)
-  for_coloured_bricks([this](int b) { loads_.add_brick(model_.bodies, b, model_.grid); });
+  schedule_.in_order([this](int b) { loads_.add_brick(model_.bodies, b, model_.grid); });
 }
 
 void Solver::advance_momentum() {
@@ -199,8 +167,7 @@ void Solver::advance_momentum() {
 
 void Solver::gather_and_map_back() {
   for (auto& body : model_.bodies) std::swap(body.points.position, body.points.last_position);
-#pragma omp parallel num_threads(threads_)
-  for_coloured_bricks([this](int b) {
+  schedule_.in_order([this](int b) {
     for (auto& body : model_.bodies) {
       if (!body.cells.brick(b).empty())
         gather_brick(body, b, dt_, model_.numerics.pic, model_.grid);
@@ -237,8 +204,7 @@ void Solver::finish_nodes() {
 }
 
 void Solver::update_what_cannot_wait() {
-#pragma omp parallel num_threads(threads_)
-  for_bricks([this](int b) {
+  schedule_.in_any_order([this](int b) {
     for (auto& body : model_.bodies) {
       if (!body.cells.brick(b).empty())
         note_bad_points(body, update_brick(body, b, dt_, model_.grid));
@@ -264,8 +230,7 @@ void Solver::index_moved_points() {
 }
 
 void Solver::update_and_scatter() {
-#pragma omp parallel num_threads(threads_)
-  for_coloured_bricks([this](int b) {
+  schedule_.in_order([this](int b) {
     for (auto& body : model_.bodies) {
       if (!body.cells.brick(b).empty())
         note_bad_points(body, update_and_scatter_brick(body, b, dt_, model_.grid));
@@ -295,7 +260,6 @@ void Solver::store_as_walked() {
   const int bodies = static_cast<int>(model_.bodies.size());
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 1)
   for (int b = 0; b < bodies; ++b) model_.bodies[b].reorder_as_walked();
-  share_bricks();
 }
 
 long Solver::point_count() const {

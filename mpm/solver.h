@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mpm/boundary.h"
+#include "mpm/brick_schedule.h"
 #include "mpm/critical_step.h"
 #include "mpm/damping.h"
 #include "mpm/load.h"
@@ -68,15 +69,9 @@ class Solver {
   void update_and_scatter();
   void scatter();
   void store_as_walked();
-  void share_bricks();
+  /// Of each brick, in points.
+  std::vector<double> estimated_costs() const;
 
-  /// f(brick) for all bricks, colour by colour, in parallel within a colour. A thread always gets
-  /// the same bricks, side by side in space, so that their points stay in its caches.
-  template <class F>
-  void for_coloured_bricks(F f);
-  /// f(brick) for all bricks in parallel, for what does not touch the nodes; threads do not wait.
-  template <class F>
-  void for_bricks(F f);
   void note_bad_points(const Body& body, const std::vector<int>& points);
   void refuse_bad_points();
   [[noreturn]] void fail_at(const Body& body, int point, const std::string& what) const;
@@ -87,10 +82,9 @@ class Solver {
   LocalDamping damping_;
   double dt_;
   int threads_;
+  BrickSchedule schedule_;
   long steps_ = 0;
   StageSeconds stage_seconds_{};
-  /// For each colour, where each thread's share of its bricks begins.
-  std::array<std::vector<int>, 8> share_begin_;
   std::vector<std::vector<int>> driven_nodes_;  ///< per body, of those that drive nodes
   struct BadPoint {
     int body;
