@@ -16,12 +16,15 @@ struct Batch {
   Batch(const BackgroundGrid& grid, const Brick& brick, const int* points, const int* cells,
         int count)
       : group(points, count), corner{}, inverse(grid.inverse_cell_size()) {
+    double corners[3][lane_count];
     for (int l = 0; l < lane_count; ++l) {
       cell[l] = cells[l < count ? l : 0];
       const Cell c = make_cell(grid, brick, cell[l]);
       node[l] = c.first_node;
-      for (int axis = 0; axis < 3; ++axis) corner[axis][l] = c.corner[axis];
+      for (int axis = 0; axis < 3; ++axis) corners[axis][l] = c.corner[axis];
     }
+    for (int axis = 0; axis < 3; ++axis)
+      corner[axis] = each_lane([&](int l) { return corners[axis][l]; });
   }
   /// Natural coordinates of the points in [0, 1], each in its cell.
   std::array<Lanes, 3> natural(const std::array<Lanes, 3>& position) const {

@@ -9,7 +9,6 @@ namespace zona::mpm {
 BrickSchedule::BrickSchedule(const BackgroundGrid& grid, int threads)
     : threads_(threads),
       neighbours_(grid.bricks().size()),
-      foreign_(grid.bricks().size()),
       done_(new std::atomic<long>[grid.bricks().size()]) {
   const int count = static_cast<int>(grid.bricks().size());
   std::vector<int> colour_of(count);
@@ -47,13 +46,8 @@ void BrickSchedule::share(const std::vector<double>& cost) {
     before += cost[b];
   }
   share_.assign(threads_, {});
-  for (int b : by_colour_) {
-    share_[owner[b]].push_back(b);
-    foreign_[b].clear();
-    for (int n : neighbours_[b]) {
-      if (owner[n] != owner[b]) foreign_[b].push_back(n);
-    }
-  }
+  pending_.resize(threads_);
+  for (int b : by_colour_) share_[owner[b]].push_back(b);
 }
 
 void BrickSchedule::start_timing() {

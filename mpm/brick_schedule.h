@@ -38,26 +38,42 @@ class BrickSchedule {
   std::vector<double> stop_timing();
 
  private:
-  void wait_for(int brick) const;
+  /// Rounds without a brick to work on before the processor is given away.
+  static constexpr int patience = 200;
+
+  bool is_ready(int brick) const;
+  template <class F>
+  void work_on(int brick, F& f);
 
   int threads_;
   std::vector<int> by_colour_;                 ///< all bricks
   std::vector<std::vector<int>> neighbours_;   ///< of each brick, those of lower colours
   std::vector<std::vector<int>> share_;        ///< of each thread, in the order of colours
-  std::vector<std::vector<int>> foreign_;      ///< those neighbours that other threads have
+  std::vector<std::vector<int>> pending_;      ///< of each thread in the running pass
   std::unique_ptr<std::atomic<long>[]> done_;  ///< the last pass that is through with each brick
   long pass_ = 0;
   bool is_timing_ = false;
   std::vector<double> seconds_;
 };
 
-inline void BrickSchedule::wait_for(int brick) const {
-  constexpr int patience = 2000;
-  for (int n : foreign_[brick]) {
-    for (int tries = 0; done_[n].load(std::memory_order_acquire) < pass_; ++tries) {
-      if (tries > patience) sched_yield();
-    }
+inline bool BrickSchedule::is_ready(int brick) const {
+  for (int n : neighbours_[brick]) {
+    if (done_[n].load(std::memory_order_acquire) < pass_) return false;
   }
+  return true;
+}
+
+template <class F>
+void BrickSchedule::work_on(int brick, F& f) {
+  if (is_timing_) {
+    const auto start = std::chrono::steady_clock::now();
+    f(brick);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    seconds_[brick] += spent.count();
+  } else {
+    f(brick);
+  }
+  done_[brick].store(pass_, std::memory_order_release);
 }
 
 template <class F>
@@ -65,23 +81,24 @@ void BrickSchedule::in_order(F f) {
   ++pass_;
 #pragma omp parallel num_threads(threads_)
   {
-    const bool is_whole_team = omp_get_num_threads() == threads_;
     const int thread = omp_get_thread_num();
-    const std::vector<int>* bricks = &share_[thread];
-    // Fewer threads than asked for could wait for one that is not there.
-    static const std::vector<int> none;
-    if (!is_whole_team) bricks = thread == 0 ? &by_colour_ : &none;
-    for (int b : *bricks) {
-      if (is_whole_team) wait_for(b);
-      if (is_timing_) {
-        const auto start = std::chrono::steady_clock::now();
-        f(b);
-        seconds_[b] +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      } else {
-        f(b);
+    if (omp_get_num_threads() == threads_) {
+      auto& pending = pending_[thread];
+      pending = share_[thread];
+      for (int idle = 0; !pending.empty();) {
+        std::size_t left = 0;
+        for (int b : pending) {
+          if (is_ready(b))
+            work_on(b, f);
+          else
+            pending[left++] = b;
+        }
+        idle = left == pending.size() ? idle + 1 : 0;
+        pending.resize(left);
+        if (idle > patience) sched_yield();
       }
-      done_[b].store(pass_, std::memory_order_release);
+    } else if (thread == 0) {  // fewer threads than asked for: nobody to wait for
+      for (int b : by_colour_) work_on(b, f);
     }
   }
 }

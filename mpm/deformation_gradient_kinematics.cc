@@ -120,8 +120,8 @@ LocalStrain DeformationGradientKinematics::local_strain(const PointGroup& group)
   const Lanes det = square_root(larger(c11 * c22 - c12 * c12, Lanes{}));
   const Lanes scale = 1.0 / square_root(larger(c11 + c22 + 2.0 * det, broadcast(1e-30)));
   const LaneMask has_triangles = c11 + c22 > 0.0;
-  const Lanes u11 = has_triangles ? (c11 + det) * scale : broadcast(1);
-  const Lanes u22 = has_triangles ? (c22 + det) * scale : broadcast(1);
+  const Lanes u11 = select(has_triangles, (c11 + det) * scale, broadcast(1));
+  const Lanes u22 = select(has_triangles, (c22 + det) * scale, broadcast(1));
   const Lanes u12 = c12 * scale;
   const Lanes inverse = 1.0 / larger(u11 * u22 - u12 * u12, broadcast(1e-30));
   VectorLanes x;

@@ -76,10 +76,11 @@ inline LaneMask Fluid::update(const PointGroup& group, const VelocityGradient& g
     const Lanes sound = square_root(larger(
         (big_gamma + 1) * big_gamma * (old_energy - properties.state.p_infinity / old_density),
         Lanes{}));
-    q = divergence < 0.0 ? new_density * length *
-                               (artificial.quadratic * length * divergence * divergence -
-                                artificial.linear * sound * divergence)
-                         : Lanes{};
+    q = select(divergence < 0.0,
+               new_density * length *
+                   (artificial.quadratic * length * divergence * divergence -
+                    artificial.linear * sound * divergence),
+               Lanes{});
   }
   // The source iterates (4.36)-(4.41). The equation of state is linear in I, so the limit of the
   // iteration is the solution of one linear equation.

@@ -70,9 +70,7 @@ class PointGroup {
       __builtin_prefetch(source + prefetch_distance);
       return count_ == lane_count ? mpm::load(source) : load_first(source, count_);
     }
-    Lanes lanes;
-    for (int l = 0; l < lane_count; ++l) lanes[l] = field[point_[l]];
-    return lanes;
+    return each_lane([&](int l) { return field[point_[l]]; });
   }
   void store(Field& field, const Lanes& lanes) const {
     if (contiguous_) {

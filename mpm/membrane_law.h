@@ -38,8 +38,8 @@ inline PrincipalValues<T> one_way_stress(const PrincipalValues<T>& e, const Memb
   T s2 = plane_stress * (e2 + p.poisson_ratio * e1);
   if (p.one_way == OneWay::stress) {
     const auto wrinkled = s2 < 0.0;
-    s1 = wrinkled ? larger(p.youngs_modulus * e1, zero) : s1;
-    s2 = wrinkled ? zero : s2;
+    s1 = select(wrinkled, larger(p.youngs_modulus * e1, zero), s1);
+    s2 = select(wrinkled, zero, s2);
   }
   return {s1, s2, e.cos2, e.sin2};
 }

@@ -48,8 +48,8 @@ inline PrincipalValues<T> principal_values(const PlaneValues<T>& a) {
   const T half = 0.5 * (a.xx - a.yy);
   const T radius = square_root(half * half + a.xy * a.xy);
   const auto turned = radius > 0.0;
-  const T scale = 1.0 / (turned ? radius : one);
-  return {mean + radius, mean - radius, turned ? half * scale : one, a.xy * scale};
+  const T scale = 1.0 / select(turned, radius, one);
+  return {mean + radius, mean - radius, select(turned, half * scale, one), a.xy * scale};
 }
 
 inline Principal principal(const InPlane& a) {

@@ -149,7 +149,9 @@ void Solver::advance_momentum() {
       continue;
     }
     node += mass * gravity;
-    const Lanes impulse = __builtin_shufflevector(dt_ * node, Lanes{}, 8, 4, 5, 6, 8, 8, 8, 8);
+    const HalfLanes force = high_half(dt_ * node);
+    const Lanes impulse =
+        join(__builtin_shufflevector(force, HalfLanes{}, 4, 0, 1, 2), HalfLanes{});
     node = (node + impulse) * (1 / mass);
     node[0] = mass;
   }

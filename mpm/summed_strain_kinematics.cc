@@ -36,7 +36,7 @@ void SummedStrainKinematics::follow(const PointGroup& group, const std::array<Fi
   const VectorLanes x = group.load(tangent_);
   const Lanes length = square_root(dot(sum, sum));
   VectorLanes z;
-  for (int i = 0; i < 3; ++i) z[i] = length > 0.0 ? sum[i] / length : old_z[i];
+  for (int i = 0; i < 3; ++i) z[i] = select(length > 0.0, sum[i] / length, old_z[i]);
   // S x' of (4.21) for x' normal to z'_k. With w = z'_k x z'_{k+1} and c = z'_k . z'_{k+1},
   // S x' = c x' + w (w . x')/(1 + c) - z'_k (z'_{k+1} . x').
   const VectorLanes w = cross(old_z, z);

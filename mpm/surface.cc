@@ -26,7 +26,6 @@ Eigen::Vector3d area_vector(const std::array<Field, 3>& position, const Triangle
 
 Surface::Surface(std::vector<Triangle> triangles, const std::vector<Eigen::Vector3d>& places)
     : triangles_(std::move(triangles)),
-      intact_(triangles_.size(), 1),
       first_around_(places.size() + 1, 0),
       around_(3 * triangles_.size()) {
   const int count = static_cast<int>(places.size());
@@ -64,6 +63,8 @@ void Surface::arrange_in_eights() {
     for (std::size_t t = 0; t < triangles_.size(); ++t) vertex_[corner][t] = triangles_[t][corner];
   }
   for (auto& component : normal_) component.assign(triangles, 0.0);
+  intact_.assign(triangles, 0.0);
+  std::fill_n(intact_.begin(), triangles_.size(), 1.0);
   const std::size_t points = first_around_.size() - 1;
   int most = 0;
   for (std::size_t p = 0; p < points; ++p)
@@ -112,11 +113,7 @@ void Surface::find_normals(const std::array<Field, 3>& position, int threads) {
       w[c] = corner[2][c] - corner[0][c];
     }
     const VectorLanes n = cross(u, w);
-    Lanes scale = 1.0 / larger(square_root(dot(n, n)), broadcast(1e-300));
-    for (int l = 0; l < lane_count; ++l) {
-      const std::size_t t = first + l;
-      if (t < intact_.size() && !intact_[t]) scale[l] = 0;
-    }
+    const Lanes scale = load(&intact_[first]) / larger(square_root(dot(n, n)), broadcast(1e-300));
     for (int c = 0; c < 3; ++c) store(&normal_[c][first], n[c] * scale);
   }
 }

@@ -51,13 +51,13 @@ class Surface {
   void arrange_in_eights();
 
   std::vector<Triangle> triangles_;
-  std::vector<char> intact_;
   std::vector<int> first_around_;
   std::vector<int> around_;
   // The same for eight triangles or points at once, filled up to whole eights: missing triangles
   // are the last one, whose normal is zero.
   std::array<std::vector<int>, 3> vertex_;
   std::vector<std::vector<int>> column_;  ///< [k][p]: k-th triangle around point p
+  Field intact_;                          ///< 1, or 0 once the triangle is dropped
   std::array<Field, 3> normal_;           ///< of each triangle; zero once it is dropped
 };
 

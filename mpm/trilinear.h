@@ -122,8 +122,7 @@ class VectorSums {
   void for_each_node(const Cell& cell, const BackgroundGrid& grid, F f) {
     transpose(sum_);
     for (int n = 0; n < 8; ++n) {
-      f(cell.first_node + grid.node_offsets()[n],
-        __builtin_shufflevector(sum_[n], sum_[n], 0, 1, 2, 3));
+      f(cell.first_node + grid.node_offsets()[n], low_half(sum_[n]));
     }
   }
 

@@ -60,7 +60,7 @@ inline void add_vectors(const Batch& batch, const BatchWeights& weights,
   for (int p = 0; p < batch.group.count(); ++p) {
     HalfLanes* first = &grid.updated[batch.node[p]];
     const double* w = weights.at[p];
-    const HalfLanes v = __builtin_shufflevector(row[p], row[p], 0, 1, 2, 3);
+    const HalfLanes v = low_half(row[p]);
     for (int n = 0; n < 8; ++n) first[offset[n]] += w[n] * v;
   }
 }
@@ -79,8 +79,8 @@ inline VelocityGradient gradient_at(const BackgroundGrid& grid, const Batch& bat
       const HalfLanes v = first[offset[n]];
       for (int j = 0; j < 3; ++j) d[j] += w.slope[j][n] * v;
     }
-    xy[p] = __builtin_shufflevector(d[0], d[1], 0, 1, 2, 3, 4, 5, 6, 7);
-    z[p] = __builtin_shufflevector(d[2], d[2], 0, 1, 2, 3, 4, 5, 6, 7);
+    xy[p] = join(d[0], d[1]);
+    z[p] = join(d[2], d[2]);
   }
   transpose(xy);
   transpose(z);

@@ -69,18 +69,34 @@ mpm::Model membrane() {
   return model;
 }
 
-/// The lateral piercing of 5.4. Domain and plate hold whole cells.
-mpm::Model piercing(double cell_size, double domain, double plate) {
-  PiercingSetup setup;
-  setup.cell = cell_size;
-  setup.domain = domain;
-  setup.plate.side = plate;
+/// The lateral piercing of 5.4 with the motion of the source.
+mpm::Model driven(PiercingSetup setup) {
   setup.pipette.motion = [](double t) {
     const double amplitude = 13.5e-6, omega = 2 * M_PI / 100e-6;
     return mpm::RigidState{{0, amplitude * std::sin(omega * t), 0},
                            {0, amplitude * omega * std::cos(omega * t), 0}};
   };
   return build_piercing(setup);
+}
+
+/// Domain and plate hold whole cells.
+mpm::Model piercing(double cell_size, double domain, double plate) {
+  PiercingSetup setup;
+  setup.cell = cell_size;
+  setup.domain = domain;
+  setup.plate.side = plate;
+  return driven(setup);
+}
+
+/// As piercing_lateral_quick.toml and mercury_vs_water.toml.
+mpm::Model small_piercing() {
+  PiercingSetup setup;
+  setup.cell = 9e-6;
+  setup.domain = 153e-6;
+  setup.zona.level = 5;
+  setup.cytoplasm.points_per_cell = 8;
+  setup.pipette.points = {2, 30, 15};
+  return driven(setup);
 }
 
 }  // namespace
@@ -91,6 +107,8 @@ const std::vector<Scene>& scenes() {
       {"fluid_1", "water, one point in each of 64^3 cells", true, [] { return fluid(64, 1); }},
       {"solid", "an elastic solid, 27 points in each of 24^3 cells", true, solid},
       {"membrane", "the zona alone, 40962 points in cells of 4 um", true, membrane},
+      {"piercing_9um", "a fill of the bundled comparison, cells of 9 um", true,
+       [] { return small_piercing(); }},
       {"piercing_6um", "the lateral piercing, cells of 6 um", true,
        [] { return piercing(6e-6, 150e-6, 72e-6); }},
       {"piercing_5um", "the lateral piercing, cells of 5 um", false,
