@@ -212,7 +212,8 @@ int run_bench(const BenchOptions& options) {
     fmt::print(
         "\nns/point: least of all windows of {} s. B/point, flop/pt: what the stage has to move "
         "and "
-        "compute (guide).\nbound: time of the triad for these bytes over the time taken.\n",
+        "compute (docs/performance.md).\nbound: time of the triad for these bytes over the time "
+        "taken.\n",
         window);
   }
   for (const Scene& scene : chosen) {
