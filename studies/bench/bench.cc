@@ -210,10 +210,9 @@ int run_bench(const BenchOptions& options) {
                  threads[t] == 1 ? "" : "s");
     }
     fmt::print(
-        "\nns/point: least of all windows of {} s. B/point, flop/pt: what the stage has to move "
-        "and "
-        "compute (docs/performance.md).\nbound: time of the triad for these bytes over the time "
-        "taken.\n",
+        "\nns/point: least of all windows of {} s. B/point, flop/pt: what the stage has to move\n"
+        "and compute. bound: time of the triad for these bytes over the time taken. More in\n"
+        "docs/performance.md.\n",
         window);
   }
   for (const Scene& scene : chosen) {
