@@ -121,6 +121,8 @@ void Solver::prescribe_motion() {
 }
 
 void Solver::scatter() {
+  std::fill(model_.grid.state.begin(), model_.grid.state.end(), Lanes{});
+  std::fill(model_.grid.updated.begin(), model_.grid.updated.end(), HalfLanes{});
   schedule_.in_order([this](int b) {
     for (const auto& body : model_.bodies) {
       if (!body.cells.brick(b).empty()) scatter_brick(body, b, model_.grid);
