@@ -1,179 +1,36 @@
 #include "beam/beam_system.h"
 
-#include <deal.II/base/polynomial.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/tria.h>
-#include <deal.II/lac/full_matrix.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <array>
-#include <vector>
+#include <stdexcept>
 
-#include "beam/require.h"
+#include "beam/elements/elements.h"
 
 namespace zona::beam {
+
 namespace {
 
-using dealii::FullMatrix;
-constexpr int kElementDofs = 4;
-constexpr int kGaussPoints = 5;
-constexpr int kEssential = -1;
+using Assemble = decltype(&zona_beam_assemble);
 
-/// Hermite shape functions and their derivatives with respect to x at one point of an element, in
-/// the order deflection and rotation at the left vertex, then at the right one.
-struct ShapeValues {
-  std::array<double, kElementDofs> value;
-  std::array<double, kElementDofs> curvature;
-};
-
-ShapeValues hermite_shapes(double xi, double element_length) {
-  // deal.II orders value left, value right, slope left, slope right, on the unit interval.
-  constexpr std::array<unsigned int, kElementDofs> order = {0, 2, 1, 3};
-  static const auto basis = dealii::Polynomials::HermiteInterpolation::generate_complete_basis(3);
-  ShapeValues shapes{};
-  for (int i = 0; i < kElementDofs; ++i) {
-    std::array<double, 3> derivatives{};
-    basis[order[i]].value(xi, 2, derivatives.data());
-    const double scale = i % 2 == 1 ? element_length : 1;
-    shapes.value[i] = scale * derivatives[0];
-    shapes.curvature[i] = scale * derivatives[2] / (element_length * element_length);
-  }
-  return shapes;
-}
-
-struct ElementMatrices {
-  FullMatrix<double> mass{kElementDofs, kElementDofs};
-  FullMatrix<double> stiffness{kElementDofs, kElementDofs};
-};
-
-ElementMatrices element_matrices(const Section& section, double left, double element_length) {
-  const dealii::QGauss<1> quadrature(kGaussPoints);
-  ElementMatrices element;
-  for (unsigned int point = 0; point < quadrature.size(); ++point) {
-    const double xi = quadrature.point(point)[0];
-    const double x = left + xi * element_length;
-    const double weight = quadrature.weight(point) * element_length;
-    const double rigidity = section.flexural_rigidity(x);
-    const double mass = section.mass_per_length(x);
-    require(is_positive(rigidity) && is_positive(mass),
-            fmt::format("beam: at x = {} m the flexural rigidity is {} N m^2 and the mass {} kg/m, "
-                        "but both must be greater than 0; mend the section there",
-                        x, rigidity, mass));
-    const ShapeValues shapes = hermite_shapes(xi, element_length);
-    for (int i = 0; i < kElementDofs; ++i)
-      for (int j = 0; j < kElementDofs; ++j) {
-        element.mass(i, j) += weight * mass * shapes.value[i] * shapes.value[j];
-        element.stiffness(i, j) += weight * rigidity * shapes.curvature[i] * shapes.curvature[j];
-      }
-  }
-  return element;
-}
-
-/// Number of every degree of freedom (deflection, rotation per vertex) among those that are free.
-std::vector<int> number_free_dofs(const BeamLayout& layout) {
-  const int dofs = 2 * (layout.elements + 1);
-  std::vector<bool> essential(dofs, false);
-  essential[0] = true;
-  essential[layout.supports == Supports::clamped_free ? 1 : dofs - 2] = true;
-  std::vector<int> number(dofs, kEssential);
-  int next = 0;
-  for (int dof = 0; dof < dofs; ++dof)
-    if (!essential[dof]) number[dof] = next++;
-  return number;
-}
-
-/// Deflection r(x) of the rigid motion per unit displacement of the support, and its slope.
-double rigid_deflection(Supports supports, double x, double length) {
-  return supports == Supports::clamped_free ? 1 : 1 - x / length;
-}
-
-double rigid_slope(Supports supports, double length) {
-  return supports == Supports::clamped_free ? 0 : -1 / length;
-}
-
-void check_layout(const Section& section, const BeamLayout& layout) {
-  require(is_positive(section.length),
-          fmt::format("beam: length is {} m, but it must be greater than 0", section.length));
-  const int fewest = layout.supports == Supports::clamped_free ? 1 : 2;
-  require(layout.elements >= fewest,
-          fmt::format("beam: {} elements, but at least {} are needed; use 20 or more",
-                      layout.elements, fewest));
-  require(layout.observed_at >= 0 && layout.observed_at <= section.length,
-          fmt::format("beam: the observed point x = {} m lies outside the beam, 0 to {} m",
-                      layout.observed_at, section.length));
-}
-
-/// One element: its ends [m] and the numbers of its free degrees of freedom.
-struct Element {
-  double left;
-  double right;
-  std::array<int, kElementDofs> dof;
-
-  double length() const { return right - left; }
-};
-
-BeamSystem empty_system(const Section& section, const BeamLayout& layout,
-                        const std::vector<int>& number) {
-  const int size = static_cast<int>(number.size()) - 2;
-  BeamSystem system;
-  system.mass = SymmetricBand(size);
-  system.stiffness = SymmetricBand(size);
-  system.support_mass = Eigen::VectorXd::Zero(size);
-  system.observation = Eigen::VectorXd::Zero(size);
-  system.support_share = rigid_deflection(layout.supports, layout.observed_at, section.length);
-  system.element_length = section.length / layout.elements;
-  for (std::size_t dof = 0; dof < number.size(); ++dof)
-    if (number[dof] != kEssential) system.rotation.push_back(dof % 2 == 1);
-  return system;
-}
-
-void add_element(const Section& section, const BeamLayout& layout, const Element& element,
-                 BeamSystem& system) {
-  const ElementMatrices matrices = element_matrices(section, element.left, element.length());
-  const double slope = rigid_slope(layout.supports, section.length);
-  const std::array<double, kElementDofs> rigid = {
-      rigid_deflection(layout.supports, element.left, section.length), slope,
-      rigid_deflection(layout.supports, element.right, section.length), slope};
-  for (int i = 0; i < kElementDofs; ++i) {
-    const int row = element.dof[i];
-    if (row == kEssential) continue;
-    for (int j = 0; j < kElementDofs; ++j) {
-      system.support_mass(row) += matrices.mass(i, j) * rigid[j];
-      const int column = element.dof[j];
-      if (column == kEssential || column > row) continue;
-      system.mass.add(row, column, matrices.mass(i, j));
-      system.stiffness.add(row, column, matrices.stiffness(i, j));
-    }
-  }
-}
-
-void observe(const Element& element, double x, BeamSystem& system) {
-  const double xi = (x - element.left) / element.length();
-  const ShapeValues shapes = hermite_shapes(xi, element.length());
-  for (int i = 0; i < kElementDofs; ++i)
-    if (element.dof[i] != kEssential) system.observation(element.dof[i]) = shapes.value[i];
+/// From the library that stands next to this one.
+Assemble load_assembly() {
+  void* const library = dlopen("libzona_beam_elements.so", RTLD_NOW | RTLD_LOCAL);
+  void* const function = library != nullptr ? dlsym(library, "zona_beam_assemble") : nullptr;
+  if (function == nullptr)
+    throw std::runtime_error(
+        fmt::format("the beam's finite elements cannot be loaded: {}; install Zona and deal.II "
+                    "again",
+                    dlerror()));
+  return reinterpret_cast<Assemble>(function);
 }
 
 }  // namespace
 
 BeamSystem assemble(const Section& section, const BeamLayout& layout) {
-  check_layout(section, layout);
-  dealii::Triangulation<1> mesh;
-  dealii::GridGenerator::subdivided_hyper_cube(mesh, layout.elements, 0., section.length);
-  const std::vector<int> number = number_free_dofs(layout);
-  BeamSystem system = empty_system(section, layout, number);
-  for (const auto& cell : mesh.active_cell_iterators()) {
-    const Element element{
-        cell->vertex(0)[0],
-        cell->vertex(1)[0],
-        {number[2 * cell->vertex_index(0)], number[2 * cell->vertex_index(0) + 1],
-         number[2 * cell->vertex_index(1)], number[2 * cell->vertex_index(1) + 1]}};
-    add_element(section, layout, element, system);
-    const bool is_last = cell->at_boundary(1);
-    if (layout.observed_at >= element.left && (layout.observed_at < element.right || is_last))
-      observe(element, layout.observed_at, system);
-  }
+  static const Assemble assembly = load_assembly();
+  BeamSystem system;
+  assembly(section, layout, system);
   return system;
 }
 

@@ -4,6 +4,7 @@ install(TARGETS zona_mpm zona_beam zona_coupling zona_abi zona_compiler EXPORT z
 foreach(module mpm beam coupling)
   install(DIRECTORY ${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zona FILES_MATCHING PATTERN "*.h")
 endforeach()
+install(TARGETS zona_beam_elements LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT zona NAMESPACE zona:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zona)
 configure_package_config_file(cmake/zonaConfig.cmake.in ${CMAKE_BINARY_DIR}/zonaConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zona)
