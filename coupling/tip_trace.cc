@@ -106,15 +106,13 @@ TipHistory read_tip_trace_hdf5(const std::string& path) {
 
 void write_tip_trace_hdf5(const TipHistory& history, const std::string& path) {
   check_tip_history(history, path);
-  const std::string unfinished = path + ".tmp";
-  mpm::Hdf5File file = mpm::Hdf5File::create(unfinished);
+  mpm::Hdf5File file = mpm::Hdf5File::create_in_memory(path);
   for (const Quantity& quantity : quantities) {
     const std::string dataset = std::string("/") + quantity.name;
     file.write(dataset, history.*quantity.samples);
     file.write_attribute(dataset, "unit", quantity.unit);
   }
-  file.close();
-  mpm::rename_over(unfinished, path);
+  mpm::replace_file(path, file.close_in_memory());
 }
 
 TipHistory read_tip_trace(const std::string& path) {

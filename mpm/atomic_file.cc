@@ -1,32 +1,57 @@
 #include "mpm/atomic_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
+#include <filesystem>
 
 namespace zona::mpm {
 
-void replace_file(const std::string& path, std::string_view text) {
-  const std::string unfinished = path + ".tmp";
-  std::ofstream out(unfinished, std::ios::binary);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  if (!out) {
-    const std::string reason = std::strerror(errno);
-    std::remove(unfinished.c_str());
-    throw FileError(fmt::format("{}: cannot write the file ({})", unfinished, reason));
+namespace {
+
+bool write_all(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(file, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
   }
-  rename_over(unfinished, path);
+  return true;
 }
 
-void rename_over(const std::string& finished, const std::string& path) {
-  if (std::rename(finished.c_str(), path.c_str()) == 0) return;
+bool write_to_disk(const std::string& path, std::string_view text) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return false;
+  const bool written = write_all(file, text) && fsync(file) == 0;
+  const int reason = errno;
+  const bool closed = close(file) == 0;
+  if (!written) errno = reason;
+  return written && closed;
+}
+
+/// The names in the directory of `path`. Some file systems cannot; that is no failure.
+void sync_directory_of(const std::string& path) {
+  const auto directory = std::filesystem::absolute(path).parent_path();
+  const int file = open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  fsync(file);
+  close(file);
+}
+
+}  // namespace
+
+void replace_file(const std::string& path, std::string_view text) {
+  const std::string unfinished = path + ".tmp";
+  if (write_to_disk(unfinished, text) && std::rename(unfinished.c_str(), path.c_str()) == 0) {
+    return sync_directory_of(path);
+  }
   const std::string reason = std::strerror(errno);
-  std::remove(finished.c_str());
-  throw FileError(fmt::format("{}: cannot replace the file ({})", path, reason));
+  std::remove(unfinished.c_str());
+  throw FileError(fmt::format("{}: cannot be written ({})", path, reason));
 }
 
 }  // namespace zona::mpm

@@ -12,11 +12,9 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Give the file at `path` the content `text`, so that a reader at any moment finds either the old
-/// or the new content and never a part: written beside it, then renamed. Throws `FileError`.
+/// Give the file at `path` the content `text`, so that a reader at any moment, also after the
+/// machine failed, finds either the old or the new content and never a part: written beside it as
+/// `path`.tmp, to the disk, then renamed. Throws `FileError`; the old content is then still there.
 void replace_file(const std::string& path, std::string_view text);
-
-/// The second half of it: rename a finished file over `path`. Throws `FileError`.
-void rename_over(const std::string& finished, const std::string& path);
 
 }  // namespace zona::mpm

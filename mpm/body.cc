@@ -1,5 +1,7 @@
 #include "mpm/body.h"
 
+#include <fmt/format.h>
+
 namespace zona::mpm {
 
 bool Body::can_average() const {
@@ -24,13 +26,24 @@ void Body::reorder_as_walked() {
   };
   points.for_each_field(permute);
   permute(points.id);
-  std::visit(
-      [&](auto& m) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(m)>, Membrane>)
-          m.for_each_field(permute);
-      },
-      material);
+  std::visit([&](auto& m) { m.for_each_field(permute); }, material);
   cells.renumber_as_walked();
+}
+
+void Body::visit_state(StateVisitor& visitor) {
+  int number = 0;
+  const auto visit = [&](Field& field) {
+    visitor.visit(fmt::format("bodies/{}/{:02}", name, number++), field);
+  };
+  points.for_each_field(visit);
+  visitor.visit("bodies/" + name + "/id", points.id);
+  std::visit([&](auto& m) { m.for_each_field(visit); }, material);
+  if (auto* membrane = std::get_if<Membrane>(&material)) {
+    if (visitor.is_restoring()) membrane->drop_all_failed();
+  }
+  if (auto* rigid = std::get_if<Prescribed>(&material)) {
+    visitor.visit("bodies/" + name + "/reaction", rigid->reaction);
+  }
 }
 
 }  // namespace zona::mpm

@@ -8,6 +8,7 @@
 #include "mpm/fluid.h"
 #include "mpm/membrane.h"
 #include "mpm/prescribed.h"
+#include "mpm/state_visitor.h"
 #include "mpm/von_mises_solid.h"
 
 namespace zona::mpm {
@@ -39,6 +40,8 @@ struct Body {
   double shear_wave_speed() const;
   /// Stores the points in the order in which the step walks them. Membranes stay as they are.
   void reorder_as_walked();
+  /// Everything that a step changes and the next one needs, but the cells.
+  void visit_state(StateVisitor& visitor);
 };
 
 }  // namespace zona::mpm

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -75,54 +76,66 @@ std::string frame_group(std::size_t frame) {
 }  // namespace
 
 FrameWriter::FrameWriter(std::string directory, PositionPrecision precision,
-                         std::size_t frame_count)
-    : directory_(std::move(directory)),
-      precision_(precision),
-      frame_count_(frame_count),
-      last_time_(-std::numeric_limits<double>::infinity()) {}
-
-FrameWriter::FrameWriter(const std::string& directory, PositionPrecision precision)
-    : FrameWriter(directory, precision, 0) {
-  Hdf5File file = Hdf5File::create(data_path());
-  file.create_group("/frames");
-  file.create_group("/topology");
-  file.close();
+                         std::vector<Frame> frames)
+    : directory_(std::move(directory)), precision_(precision), frames_(std::move(frames)) {
+  const std::filesystem::path folder = directory_ + "/fields";
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw FileError(fmt::format("{}: cannot be created ({})", folder.string(), failure.message()));
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().filename().string() >= six_digits(frames_.size()))
+      std::filesystem::remove(entry.path());
+  }
+  recall_topologies();
+  write_index();
   write_xdmf();
 }
 
+FrameWriter::FrameWriter(const std::string& directory, PositionPrecision precision)
+    : FrameWriter(directory, precision, {}) {}
+
 FrameWriter FrameWriter::resume(const std::string& directory, double last_time,
                                 PositionPrecision precision) {
-  FrameWriter writer(directory, precision, 0);
-  writer.keep_frames(last_time);
-  writer.write_xdmf();
-  return writer;
+  return FrameWriter(directory, precision, stored_frames(directory, last_time));
 }
 
-void FrameWriter::keep_frames(double last_time) {
-  Hdf5File file = Hdf5File::append(data_path());
-  bool keep = true;
+std::vector<FrameWriter::Frame> FrameWriter::stored_frames(const std::string& directory,
+                                                           double last_time) {
+  const Hdf5File file = Hdf5File::open(directory + "/fields.h5");
+  std::vector<Frame> frames;
   for (const std::string& name : file.children("/frames")) {
-    const std::string frame = "/frames/" + name;
-    keep = keep && file.has_attribute(frame, "time") &&
-           file.read_attribute<double>(frame, "time") <= last_time;
-    if (!keep) {
-      file.remove(frame);
-      continue;
-    }
-    last_time_ = file.read_attribute<double>(frame, "time");
-    xdmf_frames_ += xdmf_frame(file, frame);
-    ++frame_count_;
+    const double time = file.read_attribute<double>("/frames/" + name, "time");
+    if (time > last_time) break;
+    frames.push_back({time, {}, xdmf_frame(file, "/frames/" + name)});
   }
-  for (const std::string& cloud : file.children("/topology"))
-    for (const std::string& name : file.children("/topology/" + cloud))
-      if (name >= six_digits(frame_count_)) file.remove("/topology/" + cloud + "/" + name);
-  file.close();
+  for (const std::string& cloud : file.children("/topology")) {
+    for (const std::string& name : file.children("/topology/" + cloud)) {
+      const std::size_t frame = std::stoul(name);
+      if (frame < frames.size())
+        frames[frame].topologies.push_back("/topology/" + cloud + "/" + name);
+    }
+  }
+  return frames;
+}
+
+void FrameWriter::recall_topologies() {
+  if (frames_.empty()) return;
+  const Hdf5File file = Hdf5File::open(index());
+  for (const Frame& frame : frames_) {
+    for (const std::string& dataset : frame.topologies) {
+      const std::string cloud = std::filesystem::path(dataset).parent_path().filename().string();
+      topologies_[cloud] = {file.shape(dataset)[1], file.read<std::int32_t>(dataset), dataset};
+    }
+  }
 }
 
 void FrameWriter::check_frame(double time, const std::vector<PointCloud>& clouds) const {
-  if (!std::isfinite(time) || time <= last_time_)
+  const double last_time =
+      frames_.empty() ? -std::numeric_limits<double>::infinity() : frames_.back().time;
+  if (!std::isfinite(time) || time <= last_time)
     throw std::invalid_argument(fmt::format(
-        "frame: time {} s must be finite and after the frame before, at {} s", time, last_time_));
+        "frame: time {} s must be finite and after the frame before, at {} s", time, last_time));
   std::set<std::string> names;
   for (const PointCloud& cloud : clouds) {
     check_cloud(cloud);
@@ -132,22 +145,26 @@ void FrameWriter::check_frame(double time, const std::vector<PointCloud>& clouds
 
 void FrameWriter::add_frame(double time, const std::vector<PointCloud>& clouds) {
   check_frame(time, clouds);
-  const std::string frame = frame_group(frame_count_);
-  Hdf5File file = Hdf5File::append(data_path());
-  if (file.contains(frame)) file.remove(frame);  // left by a write that failed
-  file.create_group(frame);
-  for (const PointCloud& cloud : clouds)
-    if (!cloud.positions.empty()) write_cloud(file, frame, cloud);
-  file.write_attribute(frame, "time", time);
-  const std::string description = xdmf_frame(file, frame);
-  file.close();
-  xdmf_frames_ += description;
-  last_time_ = time;
-  ++frame_count_;
+  const std::string group = frame_group(frames_.size());
+  const std::string path = frame_file(index(), group);
+  Frame frame{time, {}, ""};
+  {
+    Hdf5File file = Hdf5File::create_in_memory(path);
+    file.create_group(group);
+    for (const PointCloud& cloud : clouds)
+      if (!cloud.positions.empty()) write_cloud(file, group, cloud, frame.topologies);
+    std::sort(frame.topologies.begin(), frame.topologies.end());
+    file.write_attribute(group, "time", time);
+    replace_file(path, file.close_in_memory());
+  }
+  frames_.push_back(std::move(frame));
+  write_index();
+  frames_.back().description = xdmf_frame(Hdf5File::open(index()), group);
   write_xdmf();
 }
 
-void FrameWriter::write_cloud(Hdf5File& file, const std::string& frame, const PointCloud& cloud) {
+void FrameWriter::write_cloud(Hdf5File& file, const std::string& frame, const PointCloud& cloud,
+                              std::vector<std::string>& topologies) {
   const std::string group = frame + "/" + cloud.name;
   file.create_group(group + "/fields");
   const bool in_double = precision_ == PositionPrecision::double_precision;
@@ -156,7 +173,7 @@ void FrameWriter::write_cloud(Hdf5File& file, const std::string& frame, const Po
   else
     file.write(group + "/positions", rounded(cloud.positions), 3);
   file.write_attribute(group, "position_bytes", std::int64_t{in_double ? 8 : 4});
-  file.write_attribute(group, "topology", stored_topology(file, frame, cloud));
+  file.write_attribute(group, "topology", stored_topology(file, cloud, topologies));
   for (const auto& [name, values] : cloud.fields) {
     const std::string dataset = group + "/fields/" + name;
     if (values.size() == cloud.positions.size())
@@ -166,26 +183,35 @@ void FrameWriter::write_cloud(Hdf5File& file, const std::string& frame, const Po
   }
 }
 
-std::string FrameWriter::stored_topology(Hdf5File& file, const std::string& frame,
-                                         const PointCloud& cloud) {
+std::string FrameWriter::stored_topology(Hdf5File& file, const PointCloud& cloud,
+                                         std::vector<std::string>& topologies) {
   Topology& last = topologies_[cloud.name];
   std::vector<std::int32_t> corners = corners_of(cloud);
   const std::size_t points_a_cell = cloud.triangles.empty() ? 1 : 3;
   if (last.points_a_cell == points_a_cell && last.corners == corners) return last.dataset;
-  const std::string dataset =
-      "/topology/" + cloud.name + "/" + frame.substr(frame.find_last_of('/') + 1);
-  if (file.contains(dataset)) file.remove(dataset);  // left by a write that failed
+  const std::string dataset = "/topology/" + cloud.name + "/" + six_digits(frames_.size());
   file.write(dataset, corners, points_a_cell);
+  topologies.push_back(dataset);
   last = {points_a_cell, std::move(corners), dataset};
   return dataset;
 }
 
-void FrameWriter::write_xdmf() const {
-  replace_file(directory_ + "/fields.xdmf", xdmf_document(xdmf_frames_));
+void FrameWriter::write_index() const {
+  Hdf5File file = Hdf5File::create_in_memory(index());
+  file.create_group("/frames");
+  file.create_group("/topology");
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    const std::string target = "fields/" + six_digits(f) + ".h5";
+    file.link(frame_group(f), target);
+    for (const std::string& dataset : frames_[f].topologies) file.link(dataset, target);
+  }
+  replace_file(index(), file.close_in_memory());
 }
 
-std::string FrameWriter::data_path() const {
-  return directory_ + "/fields.h5";
+void FrameWriter::write_xdmf() const {
+  std::string descriptions;
+  for (const Frame& frame : frames_) descriptions += frame.description;
+  replace_file(directory_ + "/fields.xdmf", xdmf_document(descriptions));
 }
 
 }  // namespace zona::mpm

@@ -23,14 +23,15 @@ struct PointCloud {
 /// 100 um and halves the file. Fields are always stored in single precision, times in double.
 enum class PositionPrecision { single_precision, double_precision };
 
-/// Writes instants ("frames") of a run to `fields.h5` and `fields.xdmf`, a temporal collection of
-/// spatial collections. ParaView opens it with its readers "XDMF Reader" and "Xdmf3 Reader T".
+/// Writes instants ("frames") of a run, each to a file of its own, `fields/000000.h5`, ..., beside
+/// two files that make one of them: `fields.h5` for programs and `fields.xdmf` for viewers, a
+/// temporal collection of spatial collections. ParaView opens it with its readers "XDMF Reader" and
+/// "Xdmf3 Reader T".
 ///
-/// Both files are complete and closed between frames, so a run may be watched while it goes on and
-/// loses at most one frame when it is killed. The XDMF file is replaced atomically, after the data
-/// that it points to are in `fields.h5`:
+/// Every file is written under another name, then renamed, so a run may be watched while it goes on
+/// and may be killed at any moment: what was complete stays so. `fields.h5` links to the others:
 ///
-///     /frames/000000            attribute "time" [s], written last: a frame without it is broken
+///     /frames/000000            attribute "time" [s]
 ///     /frames/000000/<cloud>/positions        (points, 3)
 ///     /frames/000000/<cloud>/fields/<field>   (points) or (points, 3)
 ///     /topology/<cloud>/000000                (triangles, 3), or (points, 1) for a mere cloud
@@ -47,15 +48,15 @@ class FrameWriter {
   explicit FrameWriter(const std::string& directory,
                        PositionPrecision precision = PositionPrecision::single_precision);
 
-  /// Goes on with the files of an interrupted run: its frames up to `last_time` [s] are kept,
-  /// later and broken ones removed.
+  /// Goes on with the files of an interrupted run: its frames up to `last_time` [s] are kept, later
+  /// ones removed. The files become what they would be without the interruption.
   static FrameWriter resume(const std::string& directory, double last_time,
                             PositionPrecision precision = PositionPrecision::single_precision);
 
   /// Adds the frame at `time` [s], which must be later than the frame before.
   void add_frame(double time, const std::vector<PointCloud>& clouds);
 
-  std::size_t frame_count() const { return frame_count_; }
+  std::size_t frame_count() const { return frames_.size(); }
 
  private:
   struct Topology {
@@ -64,20 +65,28 @@ class FrameWriter {
     std::string dataset;
   };
 
-  FrameWriter(std::string directory, PositionPrecision precision, std::size_t frame_count);
+  struct Frame {
+    double time;
+    std::vector<std::string> topologies;  ///< datasets that it brought
+    std::string description;              ///< for fields.xdmf
+  };
+
+  FrameWriter(std::string directory, PositionPrecision precision, std::vector<Frame> frames);
+  static std::vector<Frame> stored_frames(const std::string& directory, double last_time);
   void check_frame(double time, const std::vector<PointCloud>& clouds) const;
-  void write_cloud(Hdf5File& file, const std::string& frame, const PointCloud& cloud);
-  std::string stored_topology(Hdf5File& file, const std::string& frame, const PointCloud& cloud);
-  void keep_frames(double last_time);
+  void write_cloud(Hdf5File& file, const std::string& frame, const PointCloud& cloud,
+                   std::vector<std::string>& topologies);
+  std::string stored_topology(Hdf5File& file, const PointCloud& cloud,
+                              std::vector<std::string>& topologies);
+  void recall_topologies();
+  void write_index() const;
   void write_xdmf() const;
-  std::string data_path() const;
+  std::string index() const { return directory_ + "/fields.h5"; }
 
   std::string directory_;
   PositionPrecision precision_;
-  std::size_t frame_count_ = 0;
-  double last_time_;
+  std::vector<Frame> frames_;
   std::map<std::string, Topology> topologies_;  ///< last written, by cloud
-  std::string xdmf_frames_;                     ///< the XDMF text of all frames so far
 };
 
 }  // namespace zona::mpm

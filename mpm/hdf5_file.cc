@@ -16,6 +16,12 @@ using hdf5::QuietScope;
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "the header stores HDF5's handles as int64");
 
+/// HDF5 belongs to one thread at a time.
+std::unique_lock<std::recursive_mutex> take_turn() {
+  static std::recursive_mutex mutex;
+  return std::unique_lock(mutex);
+}
+
 template <class T>
 hid_t native_type() {
   if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
@@ -141,41 +147,60 @@ Hdf5Error::Hdf5Error(const std::string& file, const std::string& object, const s
       file_(file),
       object_(object) {}
 
-Hdf5File::Hdf5File(std::string path, std::int64_t id) : path_(std::move(path)), id_(id) {}
+Hdf5File::Hdf5File(Turn turn, std::string path, std::int64_t id)
+    : turn_(std::move(turn)), path_(std::move(path)), id_(id) {}
 
 Hdf5File::Hdf5File(Hdf5File&& other) noexcept
-    : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
+    : turn_(std::move(other.turn_)),
+      path_(std::move(other.path_)),
+      id_(std::exchange(other.id_, -1)) {}
 
 Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
+  std::swap(turn_, other.turn_);
   std::swap(path_, other.path_);
   std::swap(id_, other.id_);
   return *this;
 }
 
 Hdf5File::~Hdf5File() {
+  if (id_ < 0) return;
   const QuietScope quiet;
-  if (id_ >= 0) H5Fclose(id_);
+  H5Fclose(id_);
 }
 
 Hdf5File Hdf5File::create(const std::string& path) {
+  Turn turn = take_turn();
   const QuietScope quiet;
   const Handle access(unlocked_access(), H5Pclose);
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  return Hdf5File(path, check(id, path, "", "cannot create the file"));
+  return Hdf5File(std::move(turn), path, check(id, path, "", "cannot create the file"));
+}
+
+Hdf5File Hdf5File::create_in_memory(const std::string& path) {
+  constexpr std::size_t growth = 4 << 20;
+  Turn turn = take_turn();
+  const QuietScope quiet;
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(access, growth, false);
+  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  return Hdf5File(std::move(turn), path, check(id, path, "", "cannot create the file in memory"));
 }
 
 Hdf5File Hdf5File::open(const std::string& path) {
+  Turn turn = take_turn();
   const QuietScope quiet;
   const Handle access(unlocked_access(), H5Pclose);
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-  return Hdf5File(path, check(id, path, "", "cannot open the file"));
+  return Hdf5File(std::move(turn), path, check(id, path, "", "cannot open the file"));
 }
 
 Hdf5File Hdf5File::append(const std::string& path) {
+  Turn turn = take_turn();
   const QuietScope quiet;
   const Handle access(unlocked_access(), H5Pclose);
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
-  return Hdf5File(path, check(id, path, "", "cannot open the file to append to it"));
+  return Hdf5File(std::move(turn), path,
+                  check(id, path, "", "cannot open the file to append to it"));
 }
 
 template <class T>
@@ -243,6 +268,20 @@ T Hdf5File::read_attribute(const std::string& object, const std::string& name) c
   return value;
 }
 
+std::vector<std::string> Hdf5File::attributes(const std::string& object) const {
+  const QuietScope quiet;
+  const Handle owner(H5Oopen(id_, object.c_str(), H5P_DEFAULT), H5Oclose);
+  check<hid_t>(owner, path_, object, "cannot open the object");
+  std::vector<std::string> names;
+  const auto append_name = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  check(H5Aiterate2(owner, H5_INDEX_NAME, H5_ITER_INC, nullptr, append_name, &names), path_, object,
+        "cannot list the attributes");
+  return names;
+}
+
 bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
   const QuietScope quiet;
   return H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
@@ -254,6 +293,14 @@ void Hdf5File::create_group(const std::string& group) {
   H5Pset_create_intermediate_group(links, 1);
   const Handle created(H5Gcreate2(id_, group.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   check<hid_t>(created, path_, group, "cannot create the group");
+}
+
+void Hdf5File::link(const std::string& object, const std::string& file) {
+  const QuietScope quiet;
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  check(H5Lcreate_external(file.c_str(), object.c_str(), id_, object.c_str(), links, H5P_DEFAULT),
+        path_, object, "cannot create the link");
 }
 
 bool Hdf5File::contains(const std::string& object) const {
@@ -287,9 +334,24 @@ void Hdf5File::flush() {
 }
 
 void Hdf5File::close() {
-  const QuietScope quiet;
   if (id_ < 0) return;
+  const Turn turn = std::move(turn_);
+  const QuietScope quiet;
   check(H5Fclose(std::exchange(id_, -1)), path_, "", "cannot close the file");
+}
+
+std::string Hdf5File::close_in_memory() {
+  std::string bytes;
+  {
+    const QuietScope quiet;
+    check(H5Fflush(id_, H5F_SCOPE_GLOBAL), path_, "", "cannot complete the file");
+    bytes.resize(static_cast<std::size_t>(
+        check(H5Fget_file_image(id_, nullptr, 0), path_, "", "cannot complete the file")));
+    check(H5Fget_file_image(id_, bytes.data(), bytes.size()), path_, "",
+          "cannot complete the file");
+  }
+  close();
+  return bytes;
 }
 
 template void Hdf5File::write(const std::string&, const std::vector<double>&);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,7 +27,8 @@ class Hdf5Error : public std::runtime_error {
 /// Objects are named by absolute paths such as "/frames/000000/zona/positions"; missing groups on
 /// the way are created by every write. Every member throws `Hdf5Error`. HDF5 prints nothing by
 /// itself. Files are not locked, so that a viewer may read a file that a run appends to. MPI need
-/// not be initialised. Not thread-safe, because HDF5 is not.
+/// not be initialised. One thread at a time has files open, because HDF5 is not thread-safe; others
+/// wait. A file is closed by the thread that opened it.
 ///
 /// Element types T of datasets: double, float, std::int32_t, std::int64_t. Of attributes: double,
 /// std::int64_t, std::string.
@@ -34,6 +36,9 @@ class Hdf5File {
  public:
   /// A new file; one of that name is replaced.
   static Hdf5File create(const std::string& path);
+  /// A new file that stays in memory until `close_in_memory`; `path` is what it is called in
+  /// errors.
+  static Hdf5File create_in_memory(const std::string& path);
   /// An existing file, for reading only.
   static Hdf5File open(const std::string& path);
   /// An existing file, for reading and writing.
@@ -67,9 +72,14 @@ class Hdf5File {
                        const std::string& value);
   template <class T>
   T read_attribute(const std::string& object, const std::string& name) const;
+  /// Names of the attributes of an object, in alphabetical order.
+  std::vector<std::string> attributes(const std::string& object) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
 
   void create_group(const std::string& group);
+  /// Lets `object` stand for the object of that path in another file, whose path is relative to
+  /// this file's folder. That file need not exist before the object is asked for.
+  void link(const std::string& object, const std::string& file);
   bool contains(const std::string& object) const;
   /// Names (not paths) of what a group holds, in alphabetical order.
   std::vector<std::string> children(const std::string& group) const;
@@ -79,12 +89,17 @@ class Hdf5File {
   /// Hand everything written so far to the operating system.
   void flush();
   void close();
+  /// Closes a file created in memory. Returns what it would have on a disk.
+  std::string close_in_memory();
 
   const std::string& path() const { return path_; }
 
  private:
-  Hdf5File(std::string path, std::int64_t id);
+  using Turn = std::unique_lock<std::recursive_mutex>;
 
+  Hdf5File(Turn turn, std::string path, std::int64_t id);
+
+  Turn turn_;  ///< to use HDF5
   std::string path_;
   std::int64_t id_ = -1;  ///< HDF5's handle; negative when closed
 };

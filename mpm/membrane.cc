@@ -104,12 +104,24 @@ void Membrane::update_group(const Kinematics& k, LawState& law_state, const Poin
 void Membrane::drop_failed() {
   auto& failed = integrity.newly_failed;
   std::sort(failed.begin(), failed.end());
-  for (int p : failed) {
-    ++failed_points;
-    const std::vector<int> neighbours = surface.drop_triangles_of(p);
-    std::visit([&](auto& k) { k.forget_failed(p, neighbours, surface); }, kinematics);
-  }
+  for (int p : failed) drop(p);
   failed.clear();
+}
+
+void Membrane::drop_all_failed() {
+  failed_points = 0;
+  std::vector<std::pair<double, int>> failures;  // in the order in which they happened
+  for (int p = 0; p < static_cast<int>(strain.size()); ++p) {
+    if (failed(p)) failures.emplace_back(integrity.failure_time[p], p);
+  }
+  std::sort(failures.begin(), failures.end());
+  for (const auto& failure : failures) drop(failure.second);
+}
+
+void Membrane::drop(int p) {
+  ++failed_points;
+  const std::vector<int> neighbours = surface.drop_triangles_of(p);
+  std::visit([&](auto& k) { k.forget_failed(p, neighbours, surface); }, kinematics);
 }
 
 }  // namespace zona::mpm

@@ -45,11 +45,25 @@ struct Membrane {
   }
   /// Stress, damage and failure at the positions [m] of the end of the step, at `time` [s].
   void update_stress(const std::array<Field, 3>& position, double time, int threads);
+  /// What of the failed points does not follow from the fields; after these were restored.
+  void drop_all_failed();
+  /// What steps change, in the order of the points; which triangles are intact follows.
+  template <class F>
+  void for_each_field(F f) {
+    std::visit([&](auto& k) { k.for_each_field(f); }, kinematics);
+    std::visit([&](auto& s) { s.for_each_field(f); }, state);
+    f(integrity.left);
+    f(integrity.failure_time);
+    for (auto& component : stress) f(component);
+    f(strain);
+    f(energy_density);
+  }
 
  private:
   template <class Kinematics, class LawState>
   void update_group(const Kinematics& kinematics, LawState& law_state, const PointGroup& group);
   void drop_failed();
+  void drop(int p);
 };
 
 }  // namespace zona::mpm

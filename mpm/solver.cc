@@ -88,9 +88,25 @@ void Solver::step() {
   if (steps_ % reorder_interval == reorder_interval - timed_steps) schedule_.start_timing();
   if (steps_ % reorder_interval == 0) {
     store_as_walked();
-    schedule_.share(schedule_.stop_timing());
+    if (schedule_.is_timing()) schedule_.share(schedule_.stop_timing());
   }
   clock.mark(Stage::reorder);
+}
+
+void Solver::visit_state(StateVisitor& visitor) {
+  visitor.visit("steps", steps_);
+  for (std::size_t h = 0; h < model_.held.size(); ++h) {
+    visitor.visit(fmt::format("held/{}/reaction", h), model_.held[h].reaction);
+    visitor.visit(fmt::format("held/{}/power", h), model_.held[h].power);
+  }
+  for (auto& body : model_.bodies) body.visit_state(visitor);
+  if (!visitor.is_restoring()) return;
+  for (auto& body : model_.bodies) {
+    const int outside = body.cells.build(model_.grid, body.points.position);
+    if (outside >= 0) fail_at(body, outside, "a restored point lies outside the grid");
+  }
+  schedule_.share(estimated_costs());
+  scatter();
 }
 
 std::vector<double> Solver::estimated_costs() const {

@@ -43,6 +43,10 @@ class Solver {
 
   void step();
 
+  /// Everything between two steps that the model does not tell. A solver of the same model and
+  /// step, restored, goes on to the same bits with any number of threads.
+  void visit_state(StateVisitor& visitor);
+
   double time() const { return steps_ * dt_; }
   double step_size() const { return dt_; }
   long steps() const { return steps_; }
@@ -83,7 +87,7 @@ class Solver {
   double dt_;
   int threads_;
   BrickSchedule schedule_;
-  long steps_ = 0;
+  std::int64_t steps_ = 0;
   StageSeconds stage_seconds_{};
   std::vector<std::vector<int>> driven_nodes_;  ///< per body, of those that drive nodes
   struct BadPoint {

@@ -13,8 +13,7 @@ std::string data_item(const Hdf5File& data, const std::string& dataset, const ch
                       std::int64_t bytes) {
   return fmt::format(
       R"(<DataItem Format="HDF" NumberType="{}" Precision="{}" Dimensions="{}">{}:{}</DataItem>)",
-      number, bytes, fmt::join(data.shape(dataset), " "),
-      std::filesystem::path(data.path()).filename().string(), dataset);
+      number, bytes, fmt::join(data.shape(dataset), " "), frame_file("", dataset), dataset);
 }
 
 std::string topology(const Hdf5File& data, const std::string& cloud) {
@@ -47,6 +46,14 @@ std::string cloud_grid(const Hdf5File& data, const std::string& frame, const std
 }
 
 }  // namespace
+
+std::string frame_file(const std::string& index, const std::string& object) {
+  // /frames/000012/... or /topology/<cloud>/000012
+  const bool is_frame = object.rfind("/frames/", 0) == 0;
+  const std::size_t number = is_frame ? 8 : object.find_last_of('/') + 1;
+  const auto folder = std::filesystem::path(index).parent_path() / "fields";
+  return (folder / (object.substr(number, 6) + ".h5")).string();
+}
 
 std::string xdmf_frame(const Hdf5File& data, const std::string& frame) {
   const auto time = data.read_attribute<double>(frame, "time");

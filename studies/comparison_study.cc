@@ -1,14 +1,18 @@
 #include <fmt/format.h>
+#include <omp.h>
 
+#include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <exception>
 #include <memory>
+#include <thread>
 
 #include "studies/interrupt.h"
 #include "studies/piercing_run.h"
 #include "studies/piercing_study.h"
 #include "studies/piercing_values.h"
 #include "studies/run_directory.h"
+#include "studies/session.h"
 
 namespace zona::studies {
 
@@ -74,24 +78,73 @@ void write_table(Session& session) {
   session.conclusion = table;
 }
 
+/// Fills that run side by side: small models use the threads better than one after the other.
+struct Round {
+  std::vector<const PiercingCase*> fills;
+  int threads;  ///< of each
+};
+
+std::vector<Round> make_rounds(const std::vector<PiercingCase>& cases, int threads) {
+  std::vector<Round> rounds;
+  for (std::size_t first = 0; first < cases.size();) {
+    const std::size_t count = std::min<std::size_t>(cases.size() - first, threads);
+    rounds.push_back({{}, threads / static_cast<int>(count)});
+    for (std::size_t f = 0; f < count; ++f) rounds.back().fills.push_back(&cases[first++]);
+  }
+  return rounds;
+}
+
+std::string label(const Round& round) {
+  std::string names;
+  for (const auto* fill : round.fills) names += (names.empty() ? "" : ", ") + fill->fluid;
+  return names;
+}
+
+/// The fills of a round as entries of the results. Throws the first failure after all have ended.
+void run_round(const Round& round, const OutputPlan& plan, Session& session) {
+  const int count = static_cast<int>(round.fills.size());
+  std::vector<nlohmann::json> results(count);
+  std::vector<std::exception_ptr> failures(count);
+  std::vector<std::thread> runs;
+  session.progress.start(label(round), round.fills.front()->end, count);
+  for (int f = 0; f < count; ++f) {
+    const PiercingCase& fill = *round.fills[f];
+    const PiercingWork work{plan, session.directory.file(directory_name(fill.fluid)), round.threads,
+                            session.progress, f};
+    std::filesystem::create_directories(work.directory);
+    session.directory.log(fmt::format("{}: {}", fill.fluid, piercing_cost(fill).text));
+    runs.emplace_back([&fill, work, &entry = results[f], &failure = failures[f]] {
+      omp_set_num_threads(work.threads);
+      try {
+        run_piercing(fill, work, entry);
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    });
+  }
+  for (auto& run : runs) run.join();
+  session.progress.finish();
+  for (auto& entry : results) {
+    if (!entry.is_null()) session.results.push_back(std::move(entry));
+  }
+  for (const auto& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
 }  // namespace
 
 Job prepare_comparison(const Configuration& study) {
   const auto cases = std::make_shared<std::vector<PiercingCase>>(make_cases(study));
   return [cases, plan = output_plan(study, simulation_end(study))](Session& session) {
     session.results = nlohmann::json::array();
-    for (const auto& piercing : *cases) {
-      if (Interrupt::requested()) break;
-      const auto directory = session.directory.file(directory_name(piercing.fluid));
-      std::filesystem::create_directories(directory);
-      session.directory.log(fmt::format("{}: {}", piercing.fluid, piercing_cost(piercing).text));
-      session.results.emplace_back();
-      try {
-        run_piercing(piercing, plan, directory, piercing.fluid, session, session.results.back());
-      } catch (...) {
-        write_table(session);  // what the other fills came to is not lost
-        throw;
+    try {
+      for (const Round& round : make_rounds(*cases, session.threads)) {
+        if (!Interrupt::requested()) run_round(round, plan, session);
       }
+    } catch (...) {
+      write_table(session);  // what the other fills came to is not lost
+      throw;
     }
     write_table(session);
   };

@@ -48,16 +48,15 @@ const std::vector<Column>& history_columns() {
 /// A piercing while it runs.
 class PiercingRun {
  public:
-  PiercingRun(const PiercingCase& piercing, const OutputPlan& plan,
-              const std::filesystem::path& directory, int threads)
+  PiercingRun(const PiercingCase& piercing, const PiercingWork& work)
       : case_(piercing),
-        solver_(build_piercing(piercing.setup), piercing.step, threads),
+        solver_(build_piercing(piercing.setup), piercing.step, work.threads),
         meter_(solver_.body("zona"), piercing_geometry(piercing.setup).tip),
-        history_(directory / "history.csv", history_columns()),
-        march_(solver_, piercing.end, plan, directory,
+        history_(work.directory / "history.csv", history_columns()),
+        march_(solver_, piercing.end, work.plan, work.directory,
                {[this] { follow_pipette(); }, [this] { sample(); }, [this] { return status(); }}) {}
 
-  void run(const std::string& label, Progress& progress) { march_.run(label, progress); }
+  void run(Progress& progress, int part) { march_.run(progress, part); }
   nlohmann::json results() const;
 
  private:
@@ -159,15 +158,13 @@ nlohmann::json PiercingRun::results() const {
 
 }  // namespace
 
-void run_piercing(const PiercingCase& piercing, const OutputPlan& plan,
-                  const std::filesystem::path& directory, const std::string& label,
-                  Session& session, nlohmann::json& results) {
+void run_piercing(const PiercingCase& piercing, const PiercingWork& work, nlohmann::json& results) {
   if (piercing.tip_history) {
-    coupling::write_tip_trace_csv(*piercing.tip_history, (directory / "tip.csv").string());
+    coupling::write_tip_trace_csv(*piercing.tip_history, (work.directory / "tip.csv").string());
   }
-  PiercingRun run(piercing, plan, directory, session.threads);
+  PiercingRun run(piercing, work);
   try {
-    run.run(label, session.progress);
+    run.run(work.progress, work.part);
   } catch (...) {
     results = run.results();
     throw;

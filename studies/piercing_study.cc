@@ -7,6 +7,7 @@
 #include "studies/piercing_run.h"
 #include "studies/piercing_values.h"
 #include "studies/run_directory.h"
+#include "studies/session.h"
 
 namespace zona::studies {
 
@@ -15,7 +16,10 @@ Job prepare_piercing(const Configuration& study) {
       make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
   return [piercing, plan = output_plan(study, simulation_end(study))](Session& session) {
     session.directory.log(piercing_cost(*piercing).text);
-    run_piercing(*piercing, plan, session.directory.path(), "piercing", session, session.results);
+    session.progress.start("piercing", piercing->end);
+    run_piercing(*piercing, {plan, session.directory.path(), session.threads, session.progress},
+                 session.results);
+    session.progress.finish();
     const auto& r = session.results;
     const auto& first = r["time_of_first_failure"];
     session.conclusion = fmt::format(

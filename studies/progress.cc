@@ -45,29 +45,26 @@ Progress::~Progress() {
   if (active_ && mode_ == Mode::live) stream_ << std::endl;
 }
 
-void Progress::start(const std::string& label, double total) {
+void Progress::start(const std::string& label, double total, int parts) {
   if (active_) finish();
   active_ = true;
   label_ = label;
-  quantities_.clear();
   total_ = total;
-  done_ = point_steps_ = shown_fraction_ = 0;
+  parts_.assign(parts, {});
+  shown_fraction_ = 0;
   started_ = shown_at_ = clock_();
 }
 
-void Progress::update(double done, double point_steps, const std::string& quantities) {
-  done_ = done;
-  point_steps_ = point_steps;
+void Progress::update(double done, double point_steps, const std::string& quantities, int part) {
+  const std::lock_guard lock(mutex_);
   if (mode_ == Mode::quiet || !active_) return;
-  const double now = clock_();
-  const double fraction = total_ > 0 ? done_ / total_ : 0;
-  const double waited = now - shown_at_;
-  const bool next_tenth = fraction >= shown_fraction_ + 0.1 - 1e-12 && waited >= 0.2;
+  parts_[part] = {done, point_steps, quantities};
+  const double waited = clock_() - shown_at_;
+  const bool next_tenth = fraction() >= shown_fraction_ + 0.1 - 1e-12 && waited >= 0.2;
   const bool due = mode_ == Mode::live ? waited >= 0.2 : waited >= 10 || next_tenth;
-  quantities_ = quantities;
   if (!due) return;
-  shown_at_ = now;
-  shown_fraction_ = std::floor(fraction * 10 + 1e-9) / 10;
+  shown_at_ = clock_();
+  shown_fraction_ = std::floor(fraction() * 10 + 1e-9) / 10;
   show();
 }
 
@@ -80,19 +77,31 @@ void Progress::finish() {
   active_ = false;
 }
 
+double Progress::fraction() const {
+  double done = 0;
+  for (const auto& part : parts_) done += part.done;
+  const double total = total_ * static_cast<double>(parts_.size());
+  return total > 0 ? std::clamp(done / total, 0.0, 1.0) : 0;
+}
+
 std::string Progress::line() const {
-  const double fraction = total_ > 0 ? std::clamp(done_ / total_, 0.0, 1.0) : 0;
   const double elapsed = clock_() - started_;
-  std::string text = fmt::format("{} {} {:3.0f} %", label_, bar(fraction), fraction * 100);
-  if (fraction >= 1) {
+  std::string text = fmt::format("{} {} {:3.0f} %", label_, bar(fraction()), fraction() * 100);
+  if (fraction() >= 1) {
     text += fmt::format("  took {}", duration_text(elapsed));
-  } else if (fraction > 0) {
-    text += fmt::format("  {} left", duration_text(elapsed * (1 - fraction) / fraction));
+  } else if (fraction() > 0) {
+    text += fmt::format("  {} left", duration_text(elapsed * (1 - fraction()) / fraction()));
   }
-  if (point_steps_ > 0 && elapsed > 0) {
-    text += fmt::format("  {:.3g} M point-steps/s", point_steps_ / elapsed * 1e-6);
+  double point_steps = 0;
+  std::string quantities;
+  for (const auto& part : parts_) {
+    point_steps += part.point_steps;
+    if (!part.quantities.empty()) quantities += (quantities.empty() ? "" : "; ") + part.quantities;
   }
-  return quantities_.empty() ? text : text + "  " + quantities_;
+  if (point_steps > 0 && elapsed > 0) {
+    text += fmt::format("  {:.3g} M point-steps/s", point_steps / elapsed * 1e-6);
+  }
+  return quantities.empty() ? text : text + "  " + quantities;
 }
 
 void Progress::show() {

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace zona::studies {
 
 /// Tells the user how far a study is: one live line on a terminal, otherwise a line every ten
-/// seconds or ten percent, or nothing at all. Cheap enough to call every step, from one thread.
+/// seconds or ten percent, or nothing at all. Cheap enough to call every step. A stage may have
+/// several parts that run side by side; each part is told of by one thread.
 ///
 ///     progress.start("mercury", end);
 ///     ... progress.update(time, points * steps, fmt::format("{} failed", failed)); ...
@@ -27,15 +30,23 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Begins a stage that ends when `update` gets `total` (simulated seconds, runs, anything).
-  void start(const std::string& label, double total);
-  /// `point_steps` counts the work done in the stage so far (points times steps; zero when that
+  /// Begins a stage whose parts end when `update` gets `total` (simulated seconds, runs, anything).
+  void start(const std::string& label, double total, int parts = 1);
+  /// `point_steps` counts the work done in the part so far (points times steps; zero when that
   /// means nothing); `quantities` is whatever the user should watch.
-  void update(double done, double point_steps = 0, const std::string& quantities = "");
+  void update(double done, double point_steps = 0, const std::string& quantities = "",
+              int part = 0);
   /// Ends the stage; shows its last state.
   void finish();
 
  private:
+  struct Part {
+    double done = 0;
+    double point_steps = 0;
+    std::string quantities;
+  };
+
+  double fraction() const;
   std::string line() const;
   void show();
 
@@ -44,10 +55,9 @@ class Progress {
   Clock clock_;
   bool active_ = false;
   std::string label_;
-  std::string quantities_;
   double total_ = 0;
-  double done_ = 0;
-  double point_steps_ = 0;
+  std::vector<Part> parts_;
+  std::mutex mutex_;  ///< of the parts and of what is shown while a stage runs
   double started_ = 0;
   double shown_at_ = 0;
   double shown_fraction_ = 0;

@@ -59,7 +59,7 @@ class SceneRun {
     profiles_.write_due(solver_, bodies_);
   }
 
-  void run(Progress& progress) { march_.run("scene", progress); }
+  void run(Progress& progress) { march_.run(progress); }
   nlohmann::json results() const;
 
  private:
@@ -202,9 +202,12 @@ nlohmann::json SceneRun::results() const {
 }  // namespace
 
 void run_scene(SceneCase& scene, Session& session) {
+  const double end = scene.end;
   SceneRun run(scene, session.directory.path(), session.threads);
+  session.progress.start("scene", end);
   try {
     run.run(session.progress);
+    session.progress.finish();
   } catch (...) {
     session.results = run.results();
     throw;

@@ -48,15 +48,14 @@ SolverMarch::SolverMarch(mpm::Solver& solver, double end, const OutputPlan& plan
   write_frame();
 }
 
-void SolverMarch::run(const std::string& label, Progress& progress) {
-  progress.start(label, end_);
+void SolverMarch::run(Progress& progress, int part) {
   const double points = static_cast<double>(solver_.point_count());
   const long steps = step_count(end_, solver_.step_size());
   try {
     while (solver_.steps() < steps && !Interrupt::requested()) {
       step();
       progress.update(solver_.time(), points * static_cast<double>(solver_.steps()),
-                      calls_.status());
+                      calls_.status(), part);
     }
   } catch (const std::runtime_error&) {
     sample();
@@ -64,7 +63,6 @@ void SolverMarch::run(const std::string& label, Progress& progress) {
   }
   sample();
   write_frame();
-  progress.finish();
 }
 
 void SolverMarch::step() {
@@ -82,16 +80,20 @@ bool SolverMarch::due(double instant) const {
 
 void SolverMarch::sample() {
   if (solver_.time() == last_sample_) return;
+  const auto start = Clock::now();
   last_sample_ = solver_.time();
   while (due(next_sample_)) next_sample_ += plan_.history_interval;
   calls_.sample();
+  output_seconds_ += seconds_since(start);
 }
 
 void SolverMarch::write_frame() {
   if (!frames_ || solver_.time() == last_frame_) return;
+  const auto start = Clock::now();
   last_frame_ = solver_.time();
   while (due(next_frame_)) next_frame_ += plan_.fields_interval;
   frames_->add_frame(solver_.time(), draw(solver_));
+  output_seconds_ += seconds_since(start);
 }
 
 void SolverMarch::add_cost(nlohmann::json& results) const {
@@ -101,6 +103,7 @@ void SolverMarch::add_cost(nlohmann::json& results) const {
   results["steps"] = solver_.steps();
   results["simulated_time"] = solver_.time();
   results["wall_seconds"] = seconds_since(started_);
+  results["output_seconds"] = output_seconds_;
   results["peak_memory_bytes"] = peak_memory();
   results["point_steps_per_second"] = rate * static_cast<double>(solver_.point_count());
 }

@@ -43,10 +43,11 @@ class SolverMarch {
               const std::filesystem::path& directory, MarchCalls calls);
 
   /// Returns at the end or when interrupted; the last state is sampled and drawn. An error passes
-  /// through after the last state is sampled.
-  void run(const std::string& label, Progress& progress);
+  /// through after the last state is sampled. `part` of the stage of `progress` is this march.
+  void run(Progress& progress, int part = 0);
 
-  /// Adds points, steps, simulated_time, wall_seconds, peak_memory_bytes, point_steps_per_second.
+  /// Adds points, steps, simulated_time, wall_seconds, output_seconds (of these, for samples and
+  /// frames), peak_memory_bytes (of the process), point_steps_per_second.
   void add_cost(nlohmann::json& results) const;
 
  private:
@@ -67,6 +68,7 @@ class SolverMarch {
   double next_frame_ = 0, last_frame_ = -1;
   Clock::time_point started_ = Clock::now();
   double stepping_seconds_ = 0;  ///< after the first steps, in which memory is touched first
+  double output_seconds_ = 0;
 };
 
 }  // namespace zona::studies

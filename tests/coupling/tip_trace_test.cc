@@ -193,7 +193,7 @@ TEST_CASE("files that cannot be read or written are named", "[trace]") {
   CHECK_THROWS_AS(read_tip_trace_csv(scratch.path()), TraceError);  // a folder
   const TipHistory history = random_history(4);
   CHECK_THROWS_AS(write_tip_trace_csv(history, "/no/such/folder/tip.csv"), zona::mpm::FileError);
-  CHECK_THROWS_AS(write_tip_trace_hdf5(history, "/no/such/folder/tip.h5"), zona::mpm::Hdf5Error);
+  CHECK_THROWS_AS(write_tip_trace_hdf5(history, "/no/such/folder/tip.h5"), zona::mpm::FileError);
 }
 
 TEST_CASE("an inconsistent history is neither written nor read from HDF5", "[trace]") {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "tests/scratch_folder.h"
 
@@ -94,4 +95,22 @@ TEST_CASE("HDF5 errors name the file, the dataset and the problem", "[hdf5]") {
   CHECK_THAT(message_of([&] { file.read_attribute<double>("/", "none"); }), Contains("/@none"));
   std::ofstream(scratch / "not_hdf5.h5") << "plain text";
   CHECK_THAT(message_of([&] { Hdf5File::open(scratch / "not_hdf5.h5"); }), Contains("not_hdf5.h5"));
+}
+
+TEST_CASE("threads take turns to have files open", "[hdf5]") {
+  const ScratchFolder scratch;
+  const std::vector<double> values(1000, 0.1);
+  const auto write_files = [&](const std::string& name) {
+    for (int i = 0; i < 20; ++i) {
+      Hdf5File file = Hdf5File::create(scratch / (name + ".h5"));
+      for (const char* dataset : {"/a", "/b/c", "/b/d"}) file.write(dataset, values);
+      file.close();
+      Hdf5File::append(scratch / (name + ".h5")).write("/e", values);
+    }
+  };
+  std::thread one(write_files, "one"), two(write_files, "two");
+  one.join();
+  two.join();
+  for (const char* name : {"one.h5", "two.h5"})
+    CHECK(Hdf5File::open(scratch / name).read<double>("/e") == values);
 }

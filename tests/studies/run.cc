@@ -197,6 +197,21 @@ TEST_CASE("progress in lines comes every tenth and every ten seconds") {
   CHECK_THAT(stream.str(), !Contains("0.002"));
 }
 
+TEST_CASE("parts that run side by side are one line") {
+  std::ostringstream stream;
+  double now = 0;
+  Progress progress(Progress::Mode::lines, stream, [&] { return now; });
+  progress.start("mercury, water", 10, 2);
+  now = 12;
+  progress.update(4, 3e6, "1 failed", 1);
+  progress.update(2, 1e6, "none failed", 0);
+  now = 24;
+  progress.update(5, 5e6, "2 failed", 1);
+  CHECK_THAT(stream.str(), Contains("mercury, water [####................]  20 %  48 s left"));
+  CHECK_THAT(stream.str(),
+             Contains("35 %  45 s left  0.25 M point-steps/s  none failed; 2 failed"));
+}
+
 TEST_CASE("progress is quiet or stays on one line") {
   std::ostringstream stream;
   double now = 0;
