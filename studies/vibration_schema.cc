@@ -40,6 +40,12 @@ Schema make_vibration_schema() {
   schema.section("time", "Time integration of the beam.");
   declare_beam_integration(schema, "time", {"newmark", "arkode", "modal"});
 
+  schema.section("output", "What is written into the run directory.");
+  schema.boolean("output.history", true)
+      .doc(
+          "Whether the tip's motion of every run is kept, in history.csv. Sweeps of thousands of "
+          "runs want only amplitudes.csv, which is always written.");
+
   schema.check([](const Configuration& study, const Complain& complain) {
     check_bore("pipette", study, complain);
   });

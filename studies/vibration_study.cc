@@ -45,7 +45,7 @@ beam::SupportMotion support_motion(const VibrationCase& setup, double peak) {
 }
 
 VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pipette,
-                             const beam::Sampling& sampling, double peak) {
+                             const beam::Sampling& sampling, double peak, bool keep_history) {
   VibrationResult result;
   result.setup = setup;
   result.natural_frequencies = pipette.natural_frequencies;
@@ -59,6 +59,7 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   result.time_of_peak = history.time[farthest];
   result.peak_velocity = history.velocity[fastest];
   result.time_of_peak_velocity = history.time[fastest];
+  if (!keep_history) result.history = {};
   return result;
 }
 
@@ -88,6 +89,23 @@ void write_history(const RunDirectory& directory, const std::vector<VibrationRes
     for (std::size_t k = 0; k < results.size(); ++k)
       row[k + 1] = results[k].history.displacement[i];
     file.add(row);
+  }
+}
+
+void write_amplitudes(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
+  HistoryFile file(directory.file("amplitudes.csv"), {{"fluid", ""},
+                                                      {"fluid_density", "kg/m^3"},
+                                                      {"pulse_duration", "s"},
+                                                      {"angular_frequency", "rad/s"},
+                                                      {"amplitude_ratio", ""},
+                                                      {"peak_displacement", "m"},
+                                                      {"time_of_peak", "s"},
+                                                      {"peak_velocity", "m/s"},
+                                                      {"time_of_peak_velocity", "s"}});
+  for (const VibrationResult& r : results) {
+    file.add(r.setup.fluid, {r.setup.fluid_density, r.setup.pulse_duration,
+                             r.setup.angular_frequency, r.amplitude_ratio, r.peak_displacement,
+                             r.time_of_peak, r.peak_velocity, r.time_of_peak_velocity});
   }
 }
 
@@ -124,6 +142,7 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
   const std::size_t pulses = cases.size() / pipettes.size();
   const beam::Sampling sampling = sampling_from(study, "time");
   const double peak = study.quantity("pulse.peak");
+  const bool keep_history = study.boolean("output.history");
 
   std::vector<std::optional<VibrationResult>> slots(cases.size());
   std::vector<std::exception_ptr> failures(cases.size());
@@ -133,7 +152,7 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (Interrupt::requested()) continue;
     try {
-      slots[i] = compute_case(cases[i], pipettes[i / pulses], sampling, peak);
+      slots[i] = compute_case(cases[i], pipettes[i / pulses], sampling, peak, keep_history);
     } catch (...) {
       failures[i] = std::current_exception();
     }
@@ -173,11 +192,12 @@ std::string amplitude_table(const std::vector<VibrationResult>& results) {
 
 Job prepare_vibration(const Configuration& study) {
   for (double density : study.quantities("fill.fluids")) pipette_from(study, "pipette", density);
-  return [study](Session& session) {
+  return [study, keep_history = study.boolean("output.history")](Session& session) {
     const std::vector<VibrationResult> results = compute_vibration(study, session);
     session.results = nlohmann::json::array();
     for (const VibrationResult& result : results) session.results.push_back(to_json(result));
-    write_history(session.directory, results);
+    write_amplitudes(session.directory, results);
+    if (keep_history) write_history(session.directory, results);
     const std::string table = amplitude_table(results);
     session.directory.log("greatest tip displacement over peak support displacement\n" + table);
     session.conclusion = table;

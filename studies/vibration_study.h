@@ -29,7 +29,7 @@ struct VibrationResult {
   double time_of_peak = 0;                  ///< [s]
   double peak_velocity = 0;                 ///< of greatest magnitude, with its sign [m/s]
   double time_of_peak_velocity = 0;         ///< [s]
-  beam::TipHistory history;
+  beam::TipHistory history;                 ///< empty when it is not to be kept
 };
 
 /// All fluids with all pulses, fluid by fluid, in the order of the study.
@@ -43,8 +43,8 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
 /// none.
 std::string amplitude_table(const std::vector<VibrationResult>& results);
 
-/// Checks the pipettes; the job writes history.csv (time and one column of tip displacement per
-/// case), the results and the table.
+/// Checks the pipettes; the job writes amplitudes.csv (a row per case), history.csv (time and one
+/// column of tip displacement per case) if wanted, the results and the table.
 Job prepare_vibration(const Configuration& study);
 
 /// The size of the study in one line.

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -105,6 +107,25 @@ TEST_CASE("the history has one row per sample and one column per case") {
   int rows = 0;
   while (std::getline(history, line)) ++rows;
   CHECK(rows == 1668);  // 0 to 1000.2 us by 0.6 us
+}
+
+TEST_CASE("a sweep keeps the amplitudes and no histories") {
+  const ScratchDirectory scratch;
+  const auto out = scratch.path() / "out";
+  run(kSmallStudy, out, 2, {"output.history=false"});
+  CHECK_FALSE(std::filesystem::exists(out / "history.csv"));
+  std::istringstream table(read_text(out / "amplitudes.csv"));
+  std::string line;
+  std::getline(table, line);
+  CHECK_THAT(line, Contains("fluid,fluid_density [kg/m^3]") && Contains("peak_velocity [m/s]"));
+  const auto results = results_in(out);
+  REQUIRE(results.size() == 6);
+  for (const auto& result : results) {
+    REQUIRE(std::getline(table, line));
+    CHECK_THAT(line, Catch::StartsWith(result["fluid"].get<std::string>() + ","));
+    CHECK_THAT(line, Contains(fmt::format(",{},", result["amplitude_ratio"].get<double>())));
+  }
+  CHECK_FALSE(std::getline(table, line));
 }
 
 TEST_CASE("a fine mesh with modal superposition gives the exact amplitudes") {
