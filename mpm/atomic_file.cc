@@ -54,4 +54,12 @@ void replace_file(const std::string& path, std::string_view text) {
   throw FileError(fmt::format("{}: cannot be written ({})", path, reason));
 }
 
+void bring_to_disk(const std::string& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool done = file >= 0 && fsync(file) == 0;
+  const std::string reason = std::strerror(errno);
+  if (file >= 0) close(file);
+  if (!done) throw FileError(fmt::format("{}: cannot be brought to the disk ({})", path, reason));
+}
+
 }  // namespace zona::mpm

@@ -17,4 +17,7 @@ class FileError : public std::runtime_error {
 /// `path`.tmp, to the disk, then renamed. Throws `FileError`; the old content is then still there.
 void replace_file(const std::string& path, std::string_view text);
 
+/// Waits until what was written to a file is on the disk. Throws `FileError`.
+void bring_to_disk(const std::string& path);
+
 }  // namespace zona::mpm

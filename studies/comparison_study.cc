@@ -101,7 +101,9 @@ std::string label(const Round& round) {
 }
 
 /// The fills of a round as entries of the results. Throws the first failure after all have ended.
-void run_round(const Round& round, const OutputPlan& plan, Session& session) {
+void run_round(const Round& round, const Configuration& study, Session& session) {
+  const OutputPlan plan = output_plan(study, simulation_end(study));
+  const CheckpointPlan checkpoints = checkpoint_plan(study, session.resume);
   const int count = static_cast<int>(round.fills.size());
   std::vector<nlohmann::json> results(count);
   std::vector<std::exception_ptr> failures(count);
@@ -109,8 +111,9 @@ void run_round(const Round& round, const OutputPlan& plan, Session& session) {
   session.progress.start(label(round), round.fills.front()->end, count);
   for (int f = 0; f < count; ++f) {
     const PiercingCase& fill = *round.fills[f];
-    const PiercingWork work{plan, session.directory.file(directory_name(fill.fluid)), round.threads,
-                            session.progress, f};
+    const PiercingWork work{
+        plan,          checkpoints,      session.directory.file(directory_name(fill.fluid)),
+        round.threads, session.progress, f};
     std::filesystem::create_directories(work.directory);
     session.directory.log(fmt::format("{}: {}", fill.fluid, piercing_cost(fill).text));
     runs.emplace_back([&fill, work, &entry = results[f], &failure = failures[f]] {
@@ -136,11 +139,11 @@ void run_round(const Round& round, const OutputPlan& plan, Session& session) {
 
 Job prepare_comparison(const Configuration& study) {
   const auto cases = std::make_shared<std::vector<PiercingCase>>(make_cases(study));
-  return [cases, plan = output_plan(study, simulation_end(study))](Session& session) {
+  return [study, cases](Session& session) {
     session.results = nlohmann::json::array();
     try {
       for (const Round& round : make_rounds(*cases, session.threads)) {
-        if (!Interrupt::requested()) run_round(round, plan, session);
+        if (!Interrupt::requested()) run_round(round, study, session);
       }
     } catch (...) {
       write_table(session);  // what the other fills came to is not lost

@@ -34,6 +34,21 @@ double DamageMeter::peak_away(const std::vector<double>& peak) const {
   return largest;
 }
 
+void DamageMeter::visit_state(mpm::StateVisitor& visitor) {
+  visitor.visit("zona/away", away_);
+  visitor.visit("zona/counted", counted_);
+  visitor.visit("zona/peak_strain", peak_strain_);
+  visitor.visit("zona/peak_displacement", peak_displacement_);
+}
+
+void ZonaDamage::visit_state(mpm::StateVisitor& visitor) {
+  visitor.visit("zona/failed_points", failed_points);
+  visitor.visit("zona/failed_area", failed_area);
+  visitor.visit("zona/largest_strain", largest_strain);
+  visitor.visit("zona/strain_away", strain_away);
+  visitor.visit("zona/largest_displacement", largest_displacement);
+}
+
 ZonaDamage DamageMeter::measure(const mpm::Body& zona) {
   const mpm::Membrane& membrane = *zona.membrane();
   widen_hole(membrane);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "mpm/body.h"
@@ -14,6 +15,8 @@ struct ZonaDamage {
   double largest_strain = 0;  ///< largest principal strain of intact points [-]
   double strain_away = 0;  ///< the same, further than a pipette diameter from hole and contact [-]
   double largest_displacement = 0;  ///< of an intact point further than that [m]
+
+  void visit_state(mpm::StateVisitor& visitor);
 };
 
 /// Follows the zona through a run. "Away from the hole" is measured in the undeformed zona: further
@@ -23,6 +26,8 @@ class DamageMeter {
   DamageMeter(const mpm::Body& zona, const mpm::Tube& tip);
 
   ZonaDamage measure(const mpm::Body& zona);
+
+  void visit_state(mpm::StateVisitor& visitor);
 
   /// Positions of the zona's points before the run [m].
   const std::vector<Eigen::Vector3d>& reference() const { return reference_; }
@@ -37,8 +42,8 @@ class DamageMeter {
   void widen_hole(const mpm::Membrane& membrane);
 
   std::vector<Eigen::Vector3d> reference_;
-  std::vector<char> away_;
-  std::vector<char> counted_;
+  std::vector<std::int32_t> away_;     ///< 1 or 0
+  std::vector<std::int32_t> counted_;  ///< 1 or 0
   std::vector<double> peak_strain_;
   std::vector<double> peak_displacement_;
   double clearance_;

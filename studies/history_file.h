@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "mpm/state_visitor.h"
+
 namespace zona::studies {
 
 /// A column of a table of results; the unit is SI, empty for a pure number.
@@ -19,13 +21,18 @@ struct Column {
 /// second or so, and at the latest when the object goes.
 class HistoryFile {
  public:
-  /// Throws RunError when the file cannot be written.
-  HistoryFile(const std::filesystem::path& file, const std::vector<Column>& columns);
+  /// Throws RunError when the file cannot be written. A file that goes on keeps its rows until
+  /// `visit_state` tells which of them count.
+  HistoryFile(const std::filesystem::path& file, const std::vector<Column>& columns,
+              bool goes_on = false);
 
   /// Adds a row, one value per column. Throws RunError when the file cannot be written.
   void add(const std::vector<double>& row);
   /// The same for a table whose first column holds words without commas.
   void add(const std::string& word, const std::vector<double>& row);
+  /// The rows so far: brings them to the disk, or drops later ones. Throws RunError when some are
+  /// missing.
+  void visit_state(mpm::StateVisitor& visitor);
 
  private:
   void write(std::string line, const std::vector<double>& row, std::size_t values);

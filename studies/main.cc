@@ -31,6 +31,9 @@ void add_run(CLI::App& program, RunOptions& options, int& code) {
       .add_option("--threads", options.threads, "Number of threads (default: as the study says)")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--quiet", options.quiet, "Show no progress");
+  command.add_flag("--resume", options.resume,
+                   "Go on with an interrupted run: that of --out, else the last of this FILE; FILE "
+                   "may also be the run's directory");
   command.callback([&options, &code, out] {
     options.out_given = out->count() > 0;
     code = with_messages([&] { return run_study(options); });

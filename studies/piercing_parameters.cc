@@ -224,10 +224,7 @@ void declare_piercing_run(Schema& schema) {
       .in("(0, 1]")
       .doc("Time between two frames of fields.h5; 4 us meets the instants of Figures 5.16-5.21.");
   schema.boolean("output.fields", true).doc("Whether fields are written at all.");
-  schema.section("run", "How the program runs.");
-  schema.integer("run.threads", 0)
-      .in("[0, 4096]")
-      .doc("Number of threads; 0 takes all. The results do not depend on it.");
+  declare_run(schema);
 }
 
 }  // namespace zona::studies

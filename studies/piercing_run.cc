@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "coupling/tip_trace.h"
+#include "mpm/atomic_file.h"
 #include "mpm/diagnostics.h"
+#include "studies/checkpoints.h"
 #include "studies/damage.h"
-
 #include "studies/decohesion_results.h"
 #include "studies/failure_pattern.h"
 #include "studies/history_file.h"
@@ -45,6 +48,11 @@ const std::vector<Column>& history_columns() {
   return columns;
 }
 
+std::string content(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 /// A piercing while it runs.
 class PiercingRun {
  public:
@@ -52,9 +60,13 @@ class PiercingRun {
       : case_(piercing),
         solver_(build_piercing(piercing.setup), piercing.step, work.threads),
         meter_(solver_.body("zona"), piercing_geometry(piercing.setup).tip),
-        history_(work.directory / "history.csv", history_columns()),
-        march_(solver_, piercing.end, work.plan, work.directory,
-               {[this] { follow_pipette(); }, [this] { sample(); }, [this] { return status(); }}) {}
+        checkpoints_(work.directory, work.checkpoints),
+        history_(work.directory / "history.csv", history_columns(), checkpoints_.is_resumed()),
+        march_(solver_, piercing.end, work.plan, work.directory, checkpoints_,
+               {[this] { follow_pipette(); }, [this] { sample(); }, [this] { return status(); },
+                [this](mpm::StateVisitor& visitor) { visit_state(visitor); }}) {
+    march_.tell_start(work.progress);
+  }
 
   void run(Progress& progress, int part) { march_.run(progress, part); }
   nlohmann::json results() const;
@@ -66,6 +78,7 @@ class PiercingRun {
     largest_force_ = std::max(largest_force_, pipette->reaction.norm());
   }
   void sample();
+  void visit_state(mpm::StateVisitor& visitor);
   std::string status() const {
     return fmt::format("{} of {} points failed, strain {:.3f}", damage_.failed_points,
                        solver_.body("zona").points.size(), damage_.largest_strain);
@@ -74,6 +87,7 @@ class PiercingRun {
   const PiercingCase& case_;
   mpm::Solver solver_;
   DamageMeter meter_;
+  Checkpoints checkpoints_;
   HistoryFile history_;
   ZonaDamage damage_;
   double impulse_work_ = 0;
@@ -121,6 +135,16 @@ void PiercingRun::sample() {
                 sum.stored_energy});
 }
 
+void PiercingRun::visit_state(mpm::StateVisitor& visitor) {
+  history_.visit_state(visitor);
+  meter_.visit_state(visitor);
+  damage_.visit_state(visitor);
+  visitor.visit("pipette/impulse_work", impulse_work_);
+  visitor.visit("pipette/largest_force", largest_force_);
+  visitor.visit("pipette/largest_excursion", largest_excursion_);
+  visitor.visit("cytoplasm/highest_pressure", highest_pressure_);
+}
+
 nlohmann::json PiercingRun::results() const {
   const auto& zona = *solver_.body("zona").membrane();
   double first_failure = std::numeric_limits<double>::infinity();
@@ -156,12 +180,22 @@ nlohmann::json PiercingRun::results() const {
   return r;
 }
 
+/// tip.csv; what is resumed must have the one that it had.
+void write_tip_history(const PiercingCase& piercing, const PiercingWork& work) {
+  if (!piercing.tip_history) return;
+  const std::string file = (work.directory / "tip.csv").string();
+  const std::string old = work.checkpoints.resume ? content(file) : "";
+  coupling::write_tip_trace_csv(*piercing.tip_history, file);
+  if (old.empty() || old == content(file)) return;
+  mpm::replace_file(file, old);
+  throw mpm::CheckpointError("the tip now moves in another way than when the run was started (" +
+                             file + "): a trace has changed; run the study anew");
+}
+
 }  // namespace
 
 void run_piercing(const PiercingCase& piercing, const PiercingWork& work, nlohmann::json& results) {
-  if (piercing.tip_history) {
-    coupling::write_tip_trace_csv(*piercing.tip_history, (work.directory / "tip.csv").string());
-  }
+  write_tip_history(piercing, work);
   PiercingRun run(piercing, work);
   try {
     run.run(work.progress, work.part);

@@ -14,6 +14,7 @@ namespace zona::studies {
 /// How a piercing runs; it may be one of several that run side by side.
 struct PiercingWork {
   OutputPlan plan;
+  CheckpointPlan checkpoints;
   std::filesystem::path directory;  ///< exists; for its files
   int threads;
   Progress& progress;  ///< in a stage that lasts until the end of the piercing

@@ -14,10 +14,12 @@ namespace zona::studies {
 Job prepare_piercing(const Configuration& study) {
   const auto piercing = std::make_shared<PiercingCase>(
       make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
-  return [piercing, plan = output_plan(study, simulation_end(study))](Session& session) {
+  return [study, piercing](Session& session) {
     session.directory.log(piercing_cost(*piercing).text);
     session.progress.start("piercing", piercing->end);
-    run_piercing(*piercing, {plan, session.directory.path(), session.threads, session.progress},
+    run_piercing(*piercing,
+                 {output_plan(study, simulation_end(study)), checkpoint_plan(study, session.resume),
+                  session.directory.path(), session.threads, session.progress},
                  session.results);
     session.progress.finish();
     const auto& r = session.results;

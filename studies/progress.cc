@@ -55,10 +55,18 @@ void Progress::start(const std::string& label, double total, int parts) {
   started_ = shown_at_ = clock_();
 }
 
+void Progress::begin_at(double done, double point_steps, int part) {
+  const std::lock_guard lock(mutex_);
+  parts_[part] = {done, point_steps, "", done, point_steps};
+}
+
 void Progress::update(double done, double point_steps, const std::string& quantities, int part) {
   const std::lock_guard lock(mutex_);
   if (mode_ == Mode::quiet || !active_) return;
-  parts_[part] = {done, point_steps, quantities};
+  Part& updated = parts_[part];
+  updated.done = done;
+  updated.point_steps = point_steps;
+  updated.quantities = quantities;
   const double waited = clock_() - shown_at_;
   const bool next_tenth = fraction() >= shown_fraction_ + 0.1 - 1e-12 && waited >= 0.2;
   const bool due = mode_ == Mode::live ? waited >= 0.2 : waited >= 10 || next_tenth;
@@ -66,6 +74,12 @@ void Progress::update(double done, double point_steps, const std::string& quanti
   shown_at_ = clock_();
   shown_fraction_ = std::floor(fraction() * 10 + 1e-9) / 10;
   show();
+}
+
+void Progress::say(const std::string& message) {
+  const std::lock_guard lock(mutex_);
+  if (mode_ == Mode::quiet) return;
+  stream_ << (mode_ == Mode::live ? "\r\x1b[K" : "") << message << std::endl;
 }
 
 void Progress::finish() {
@@ -77,29 +91,34 @@ void Progress::finish() {
   active_ = false;
 }
 
-double Progress::fraction() const {
-  double done = 0;
-  for (const auto& part : parts_) done += part.done;
+double Progress::fraction(double Part::*done) const {
+  double sum = 0;
+  for (const auto& part : parts_) sum += part.*done;
   const double total = total_ * static_cast<double>(parts_.size());
-  return total > 0 ? std::clamp(done / total, 0.0, 1.0) : 0;
+  return total > 0 ? std::clamp(sum / total, 0.0, 1.0) : 0;
+}
+
+double Progress::point_steps() const {
+  double sum = 0;
+  for (const auto& part : parts_) sum += part.point_steps - part.point_steps_before;
+  return sum;
 }
 
 std::string Progress::line() const {
   const double elapsed = clock_() - started_;
   std::string text = fmt::format("{} {} {:3.0f} %", label_, bar(fraction()), fraction() * 100);
+  const double done_now = fraction() - fraction(&Part::done_before);
   if (fraction() >= 1) {
     text += fmt::format("  took {}", duration_text(elapsed));
-  } else if (fraction() > 0) {
-    text += fmt::format("  {} left", duration_text(elapsed * (1 - fraction()) / fraction()));
+  } else if (done_now > 0) {
+    text += fmt::format("  {} left", duration_text(elapsed * (1 - fraction()) / done_now));
   }
-  double point_steps = 0;
+  if (point_steps() > 0 && elapsed > 0) {
+    text += fmt::format("  {:.3g} M point-steps/s", point_steps() / elapsed * 1e-6);
+  }
   std::string quantities;
   for (const auto& part : parts_) {
-    point_steps += part.point_steps;
     if (!part.quantities.empty()) quantities += (quantities.empty() ? "" : "; ") + part.quantities;
-  }
-  if (point_steps > 0 && elapsed > 0) {
-    text += fmt::format("  {:.3g} M point-steps/s", point_steps / elapsed * 1e-6);
   }
   return quantities.empty() ? text : text + "  " + quantities;
 }

@@ -32,10 +32,14 @@ class Progress {
 
   /// Begins a stage whose parts end when `update` gets `total` (simulated seconds, runs, anything).
   void start(const std::string& label, double total, int parts = 1);
+  /// What of a part was done before this program began: it counts, but not for speed and time left.
+  void begin_at(double done, double point_steps, int part = 0);
   /// `point_steps` counts the work done in the part so far (points times steps; zero when that
   /// means nothing); `quantities` is whatever the user should watch.
   void update(double done, double point_steps = 0, const std::string& quantities = "",
               int part = 0);
+  /// A line of its own, in every mode but quiet.
+  void say(const std::string& message);
   /// Ends the stage; shows its last state.
   void finish();
 
@@ -44,9 +48,13 @@ class Progress {
     double done = 0;
     double point_steps = 0;
     std::string quantities;
+    double done_before = 0;
+    double point_steps_before = 0;
   };
 
-  double fraction() const;
+  /// Of the stage, that is done.
+  double fraction(double Part::*done = &Part::done) const;
+  double point_steps() const;
   std::string line() const;
   void show();
 

@@ -1,6 +1,7 @@
 #include "studies/resolved_study.h"
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include <algorithm>
 
@@ -61,6 +62,44 @@ std::string resolved_study(const Configuration& study) {
     }
   }
   return text;
+}
+
+namespace {
+
+/// Parameters as they are written, but those of how the program runs.
+std::vector<std::pair<std::string, std::string>> deciding(const Configuration& study) {
+  std::vector<std::pair<std::string, std::string>> parameters{{"study", study.kind()}};
+  for (const std::string& table : study.tables()) {
+    if (table == "run") continue;
+    for (const std::string& key : study.keys_of(table)) {
+      parameters.emplace_back(study.shown_key(key), written(study, key));
+    }
+  }
+  return parameters;
+}
+
+}  // namespace
+
+std::string first_difference(const Configuration& before, const Configuration& now) {
+  const auto old_parameters = deciding(before), parameters = deciding(now);
+  for (std::size_t i = 0; i < std::max(old_parameters.size(), parameters.size()); ++i) {
+    if (i >= parameters.size()) return old_parameters[i].first + " was given";
+    if (i >= old_parameters.size()) return parameters[i].first + " is new";
+    const auto& [old_key, old_value] = old_parameters[i];
+    const auto& [key, value] = parameters[i];
+    if (old_key != key) return fmt::format("{} stood in the place of {}", old_key, key);
+    if (old_value != value) {
+      return fmt::format("{} was {} and is {}", key, printable(old_value, 60),
+                         printable(value, 60));
+    }
+  }
+  return "";
+}
+
+std::string study_fingerprint(const Configuration& study) {
+  std::string text;
+  for (const auto& [key, value] : deciding(study)) text += key + " = " + value + "\n";
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
 std::string si_table(const Configuration& study) {

@@ -36,10 +36,34 @@ bool create_new(const fs::path& directory) {
 
 }  // namespace
 
-RunDirectory::RunDirectory(fs::path path) : path_(std::move(path)), log_(path_ / "log.txt") {
+RunDirectory::RunDirectory(fs::path path)
+    : path_(std::move(path)), log_(path_ / "log.txt", std::ios::app), lock_(path_ / "log.txt") {
   if (!log_) {
     throw InputError(path_.string(), "cannot be written; choose another place with --out DIR");
   }
+  if (!lock_.is_held()) {
+    throw InputError(path_.string(),
+                     "is being computed by another process; wait for it, or stop it");
+  }
+}
+
+RunDirectory RunDirectory::of_run(const fs::path& directory) {
+  if (!fs::exists(directory / "study.toml")) {
+    throw InputError(directory.string(),
+                     "holds no run that could go on; start it without --resume");
+  }
+  return RunDirectory(directory.has_filename() ? directory : directory.parent_path());
+}
+
+fs::path RunDirectory::last_for_study(const fs::path& study_file) {
+  const fs::path first = fs::path("runs") / study_file.stem();
+  fs::path last = first;
+  for (int number = 2; number < 100000; ++number) {
+    const fs::path next = fmt::format("{}-{}", first.string(), number);
+    if (!fs::exists(next)) break;
+    last = next;
+  }
+  return last;
 }
 
 RunDirectory RunDirectory::named(const fs::path& directory) {

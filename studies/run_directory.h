@@ -4,9 +4,12 @@
 #include <fstream>
 #include <string>
 
+#include "studies/file_lock.h"
+
 namespace zona::studies {
 
-/// The directory of one run and its log. Exists and is writable as long as the object lives.
+/// The directory of one run and its log. As long as the object lives it exists, is writable, and no
+/// other process can have it.
 class RunDirectory {
  public:
   /// A directory that the user named. Throws InputError when it holds something or cannot be
@@ -16,6 +19,14 @@ class RunDirectory {
   /// runs/<stem of the study file> in the working directory, or the first of ...-2, ...-3 that is
   /// free. Throws InputError when it cannot be written.
   static RunDirectory for_study(const std::filesystem::path& study_file);
+
+  /// The directory of a run that is to go on. Throws InputError when there is no run in it, it
+  /// cannot be written or another process computes in it.
+  static RunDirectory of_run(const std::filesystem::path& directory);
+
+  /// The last of those that `for_study` has made; the first, whether it is there or not, if none
+  /// was.
+  static std::filesystem::path last_for_study(const std::filesystem::path& study_file);
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path file(const std::string& name) const { return path_ / name; }
@@ -31,6 +42,7 @@ class RunDirectory {
 
   std::filesystem::path path_;
   std::ofstream log_;
+  FileLock lock_;  ///< on the log
 };
 
 /// Local date and time, "2026-01-31 12:34:56".

@@ -2,10 +2,13 @@
 #include <omp.h>
 
 #include <chrono>
+#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "studies/checkpoints.h"
 #include "studies/commands.h"
+#include "studies/input_error.h"
 #include "studies/interrupt.h"
 #include "studies/progress.h"
 #include "studies/resolved_study.h"
@@ -26,6 +29,24 @@ int choose_threads(const Configuration& study, const ComputeOptions& options) {
 RunDirectory make_directory(const RunOptions& options) {
   return options.out_given ? RunDirectory::named(options.out)
                            : RunDirectory::for_study(options.file);
+}
+
+bool is_complete(const RunDirectory& directory) {
+  std::ifstream stream(directory.file("summary.json"));
+  const auto summary = nlohmann::json::parse(stream, nullptr, false);
+  return summary.is_object() && summary.value("status", "") == "complete";
+}
+
+/// Throws InputError when a run was started with another study.
+void check_same_study(const Configuration& study, const RunDirectory& directory) {
+  const Configuration before = load_configuration(directory.file("study.toml"), {});
+  const std::string difference = first_difference(before, study);
+  if (difference.empty()) return;
+  throw InputError(
+      directory.path().string(),
+      fmt::format("was computed from another study: {}; go on with the old one, \"zona "
+                  "run {} --resume\", or start anew in another directory",
+                  difference, directory.path().string()));
 }
 
 /// Whatever happens becomes a status.
@@ -56,6 +77,9 @@ int report(const RunOutcome& outcome, const RunDirectory& directory, bool quiet)
     return exit_failed;
   }
   if (!quiet) std::cerr << last_words(outcome) << "; see " << directory.path().string() << '\n';
+  if (!quiet && outcome.status == "interrupted") {
+    std::cerr << "go on with \"zona run " << directory.path().string() << " --resume\"\n";
+  }
   return outcome.status == "interrupted" ? exit_interrupted : exit_ok;
 }
 
@@ -68,17 +92,18 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   outcome.started = local_time();
   omp_set_num_threads(outcome.threads);
   const Job job = kind.prepare(study);
-  directory.write("study.toml", resolved_study(study));
+  if (!options.resume) directory.write("study.toml", resolved_study(study));
   directory.log(fmt::format("zona {} ({}), {} study of {}, {} threads", zona_version(),
                             compiler_version(), study.kind(), study.file().string(),
                             outcome.threads));
   nlohmann::json results = nlohmann::json::object();
   {
     Progress progress(Progress::suitable_mode(options.quiet), std::cerr);
-    Session session{directory, progress, results, outcome.threads};
+    Session session{directory, progress, results, outcome.threads, options.resume};
     carry_out(job, session, outcome);
   }
   directory.write("summary.json", summary_text(study, outcome, results));
+  if (outcome.status == "complete") remove_checkpoints(directory.path());
   directory.log(outcome.message.empty() ? last_words(outcome)
                                         : last_words(outcome) + ": " + outcome.message);
   return outcome;
@@ -87,13 +112,27 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
 int run_configuration(const Configuration& study, const StudyKind& kind,
                       const RunOptions& options) {
   kind.prepare(study);  // refuses what is wrong before a directory is made
-  RunDirectory directory = make_directory(options);
+  RunDirectory directory =
+      options.resume ? RunDirectory::of_run(options.out) : make_directory(options);
+  if (options.resume) {
+    check_same_study(study, directory);
+    if (is_complete(directory)) {
+      if (!options.quiet) std::cerr << directory.path().string() << " is complete\n";
+      return exit_ok;
+    }
+  }
   const RunOutcome outcome =
-      compute_study(study, kind, directory, {options.threads, options.quiet});
+      compute_study(study, kind, directory, {options.threads, options.quiet, options.resume});
   return report(outcome, directory, options.quiet);
 }
 
-int run_study(const RunOptions& options) {
+int run_study(RunOptions options) {
+  if (options.resume && std::filesystem::is_directory(options.file)) {
+    options.out = options.file;
+    options.file = options.out / "study.toml";
+  } else if (options.resume && !options.out_given) {
+    options.out = RunDirectory::last_for_study(options.file);
+  }
   const Configuration study = load_configuration(options.file, options.overrides);
   return run_configuration(study, find_study_kind(study.kind()), options);
 }

@@ -1,5 +1,6 @@
 #include "studies/scene_parameters.h"
 #include "studies/numerics_parameters.h"
+#include "studies/shared_parameters.h"
 
 #include <limits>
 
@@ -136,10 +137,7 @@ void declare_scene_output(Schema& schema) {
       .or_auto()
       .doc("Time between two frames of fields.h5; \"auto\" makes 20 of them.");
   schema.boolean("output.fields", true).doc("Whether fields are written at all.");
-  schema.section("run", "How the program runs.");
-  schema.integer("run.threads", 0)
-      .in("[0, 4096]")
-      .doc("Number of threads; 0 takes all. The results do not depend on it.");
+  declare_run(schema);
 }
 
 }  // namespace zona::studies

@@ -76,6 +76,16 @@ std::vector<double> Probe::sample(const TrackedBodies& bodies) {
   return row;
 }
 
+void Probe::visit_state(const std::string& name, mpm::StateVisitor& visitor) {
+  extremes_.resize(columns().size());
+  for (std::size_t c = 0; c < extremes_.size(); ++c) {
+    const std::string column = name + "/" + std::to_string(c);
+    visitor.visit(column + "/last", extremes_[c].last);
+    visitor.visit(column + "/lowest", extremes_[c].lowest);
+    visitor.visit(column + "/highest", extremes_[c].highest);
+  }
+}
+
 nlohmann::json Probe::results() const {
   nlohmann::json result;
   if (is_point_) {

@@ -16,6 +16,7 @@ class Probe {
   std::vector<Column> columns() const;
   /// Present values, in the order of the columns; NaN for a mean of no points.
   std::vector<double> sample(const TrackedBodies& bodies);
+  void visit_state(const std::string& name, mpm::StateVisitor& visitor);
   /// Which point it is, or how many; last, lowest and highest value of each column so far.
   nlohmann::json results() const;
 

@@ -23,11 +23,12 @@ std::vector<Column> profile_columns() {
 }  // namespace
 
 SceneProfiles::SceneProfiles(const Configuration& study, const mpm::Solver& solver,
-                             const TrackedBodies& bodies, const std::filesystem::path& directory) {
+                             const TrackedBodies& bodies, const std::filesystem::path& directory,
+                             bool goes_on) {
   for (const Table& table : study.items("profile")) {
     profiles_.push_back(make_profile(table, solver, bodies));
   }
-  if (!profiles_.empty()) file_.emplace(directory / "profiles.csv", profile_columns());
+  if (!profiles_.empty()) file_.emplace(directory / "profiles.csv", profile_columns(), goes_on);
 }
 
 SceneProfiles::Profile SceneProfiles::make_profile(const Table& table, const mpm::Solver& solver,
@@ -74,6 +75,15 @@ void SceneProfiles::write_due(const mpm::Solver& solver, const TrackedBodies& bo
     if (profile.times.empty() || profile.times.back() >= now) continue;
     while (!profile.times.empty() && profile.times.back() < now) profile.times.pop_back();
     write(profile, solver.time(), bodies);
+  }
+}
+
+void SceneProfiles::visit_state(mpm::StateVisitor& visitor) {
+  if (file_) file_->visit_state(visitor);
+  for (std::size_t p = 0; p < profiles_.size(); ++p) {
+    auto left = static_cast<std::int64_t>(profiles_[p].times.size());
+    visitor.visit("profiles/" + std::to_string(p), left);
+    profiles_[p].times.resize(static_cast<std::size_t>(left));
   }
 }
 

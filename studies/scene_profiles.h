@@ -13,12 +13,13 @@ namespace zona::studies {
 class SceneProfiles {
  public:
   SceneProfiles(const Configuration& study, const mpm::Solver& solver, const TrackedBodies& bodies,
-                const std::filesystem::path& directory);
+                const std::filesystem::path& directory, bool goes_on);
 
   /// Whether `write_due` would write something.
   bool is_due(const mpm::Solver& solver) const;
   /// Writes the profiles whose time is nearest to now; call it at the start and after every step.
   void write_due(const mpm::Solver& solver, const TrackedBodies& bodies);
+  void visit_state(mpm::StateVisitor& visitor);
 
  private:
   struct Profile {

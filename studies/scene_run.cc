@@ -25,6 +25,10 @@ struct Effort {
     force = reaction;
     work += power * dt;
   }
+  void visit_state(const std::string& name, mpm::StateVisitor& visitor) {
+    visitor.visit(name + "/force", force);
+    visitor.visit(name + "/work", work);
+  }
 };
 
 void add_vector(std::vector<Column>& columns, const std::string& prefix, const std::string& unit) {
@@ -43,20 +47,24 @@ void add_effort(std::vector<double>& row, const Effort& effort) {
 /// A scene while it runs.
 class SceneRun {
  public:
-  SceneRun(SceneCase& scene, const std::filesystem::path& directory, int threads)
+  SceneRun(SceneCase& scene, const Session& session)
       : study_(scene.study),
         step_(scene.step),
         gravity_(scene.model.gravity),
-        solver_(std::move(scene.model), scene.step.seconds, threads),
+        solver_(std::move(scene.model), scene.step.seconds, session.threads),
         bodies_(solver_),
         probes_(make_probes()),
-        profiles_(study_, solver_, bodies_, directory),
+        checkpoints_(session.directory.path(), checkpoint_plan(study_, session.resume)),
+        profiles_(study_, solver_, bodies_, session.directory.path(), checkpoints_.is_resumed()),
         rigid_(solver_.bodies().size()),
         held_(solver_.held().size()),
-        history_(directory / "history.csv", columns()),
-        march_(solver_, scene.end, output_plan(study_, scene.end), directory,
-               {[this] { follow(); }, [this] { sample(); }, [this] { return status(); }}) {
-    profiles_.write_due(solver_, bodies_);
+        history_(session.directory.file("history.csv"), columns(), checkpoints_.is_resumed()),
+        march_(solver_, scene.end, output_plan(study_, scene.end), session.directory.path(),
+               checkpoints_,
+               {[this] { follow(); }, [this] { sample(); }, [this] { return status(); },
+                [this](mpm::StateVisitor& visitor) { visit_state(visitor); }}) {
+    if (!checkpoints_.is_resumed()) profiles_.write_due(solver_, bodies_);
+    march_.tell_start(session.progress);
   }
 
   void run(Progress& progress) { march_.run(progress); }
@@ -66,6 +74,7 @@ class SceneRun {
   std::vector<Probe> make_probes() const;
   std::vector<Column> columns() const;
   void follow();
+  void visit_state(mpm::StateVisitor& visitor);
   void sample();
   std::string status() const { return fmt::format("kinetic energy {:.4g} J", kinetic_energy_); }
   nlohmann::json body_results(std::size_t b) const;
@@ -76,6 +85,7 @@ class SceneRun {
   mpm::Solver solver_;
   TrackedBodies bodies_;
   std::vector<Probe> probes_;
+  Checkpoints checkpoints_;
   SceneProfiles profiles_;
   std::vector<Effort> rigid_;  ///< per body; of those that move as prescribed
   std::vector<Effort> held_;
@@ -130,6 +140,21 @@ void SceneRun::follow() {
   if (!profiles_.is_due(solver_)) return;
   bodies_.refresh();
   profiles_.write_due(solver_, bodies_);
+}
+
+void SceneRun::visit_state(mpm::StateVisitor& visitor) {
+  history_.visit_state(visitor);
+  profiles_.visit_state(visitor);
+  for (std::size_t p = 0; p < probes_.size(); ++p) {
+    probes_[p].visit_state(fmt::format("probes/{}", p), visitor);
+  }
+  for (std::size_t b = 0; b < rigid_.size(); ++b) {
+    rigid_[b].visit_state(fmt::format("rigid/{}", b), visitor);
+  }
+  for (std::size_t h = 0; h < held_.size(); ++h) {
+    held_[h].visit_state(fmt::format("holds/{}", h), visitor);
+  }
+  visitor.visit("kinetic_energy", kinetic_energy_);
 }
 
 void SceneRun::sample() {
@@ -203,7 +228,7 @@ nlohmann::json SceneRun::results() const {
 
 void run_scene(SceneCase& scene, Session& session) {
   const double end = scene.end;
-  SceneRun run(scene, session.directory.path(), session.threads);
+  SceneRun run(scene, session);
   session.progress.start("scene", end);
   try {
     run.run(session.progress);

@@ -14,6 +14,7 @@ struct Session {
   Progress& progress;        ///< tells the user how far it is
   nlohmann::json& results;   ///< becomes "results" of summary.json; SI units
   int threads = 1;           ///< already set for OpenMP
+  bool resume = false;       ///< go on from the checkpoints in the directory
   std::string conclusion{};  ///< what the user reads at the end, on standard output
 };
 

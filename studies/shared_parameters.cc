@@ -100,6 +100,19 @@ void check_bore(const std::string& section, const Configuration& study, const Co
                        inner * 1e6, outer * 1e6, inner_key, outer_key));
 }
 
+void declare_run(Schema& schema) {
+  schema.section("run", "How the program runs. The results do not depend on it.");
+  schema.integer("run.threads", 0).in("[0, 4096]").doc("Number of threads; 0 takes all.");
+  schema.quantity("run.checkpoint_interval", "s", "300 s")
+      .in("[0, 1e7]")
+      .doc(
+          "Wall time between two checkpoints, from which --resume goes on; with 0 they are left to "
+          "checkpoint_steps. The latest two are kept until the run is complete.");
+  schema.integer("run.checkpoint_steps", 0)
+      .in("[0, 1000000000]")
+      .doc("Steps between two checkpoints, next to those by time; 0 makes none.");
+}
+
 void check_distinct(const std::string& key, const Configuration& study, const Complain& complain) {
   const std::vector<double> values = study.quantities(key);
   for (std::size_t i = 1; i < values.size(); ++i) {

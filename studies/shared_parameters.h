@@ -20,6 +20,9 @@ void declare_pulse_form(Schema& schema, const std::vector<std::string>& shapes);
 void declare_beam_integration(Schema& schema, const std::string& section,
                               const std::vector<std::string>& integrators);
 
+/// The section [run] of studies that take many steps.
+void declare_run(Schema& schema);
+
 /// Complains unless the bore `section`.inner_diameter is narrower than the pipette.
 void check_bore(const std::string& section, const Configuration& study, const Complain& complain);
 

@@ -1,5 +1,6 @@
 #include "studies/solver_march.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <cmath>
@@ -41,16 +42,50 @@ long step_count(double end, double step) {
 }
 
 SolverMarch::SolverMarch(mpm::Solver& solver, double end, const OutputPlan& plan,
-                         const std::filesystem::path& directory, MarchCalls calls)
-    : solver_(solver), plan_(plan), calls_(std::move(calls)), end_(end) {
+                         const std::filesystem::path& directory, Checkpoints& checkpoints,
+                         MarchCalls calls)
+    : solver_(solver), plan_(plan), checkpoints_(checkpoints), calls_(std::move(calls)), end_(end) {
+  if (checkpoints.is_resumed()) {
+    checkpoints.restore([this](mpm::StateVisitor& visitor) { visit_state(visitor); });
+    if (plan.fields) frames_ = mpm::FrameWriter::resume(directory.string(), last_frame_);
+    return;
+  }
   if (plan.fields) frames_.emplace(directory.string());
   sample();
   write_frame();
 }
 
+void SolverMarch::visit_state(mpm::StateVisitor& visitor) {
+  double seconds = seconds_before_ + seconds_since(started_);
+  visitor.visit("march/seconds", seconds);
+  if (visitor.is_restoring()) seconds_before_ = seconds;
+  visitor.visit("march/stepping_seconds", stepping_seconds_);
+  visitor.visit("march/output_seconds", output_seconds_);
+  visitor.visit("march/next_sample", next_sample_);
+  visitor.visit("march/last_sample", last_sample_);
+  visitor.visit("march/next_frame", next_frame_);
+  visitor.visit("march/last_frame", last_frame_);
+  solver_.visit_state(visitor);
+  calls_.visit_state(visitor);
+}
+
+void SolverMarch::store() {
+  const auto start = Clock::now();
+  checkpoints_.store(solver_.steps(), [this](mpm::StateVisitor& visitor) { visit_state(visitor); });
+  output_seconds_ += seconds_since(start);
+}
+
+void SolverMarch::tell_start(Progress& progress) const {
+  if (!checkpoints_.warning().empty()) progress.say("left aside: " + checkpoints_.warning());
+  if (!checkpoints_.is_resumed()) return;
+  progress.say(fmt::format("goes on after {:.4g} us, step {} of {}", solver_.time() * 1e6,
+                           solver_.steps(), step_count(end_, solver_.step_size())));
+}
+
 void SolverMarch::run(Progress& progress, int part) {
   const double points = static_cast<double>(solver_.point_count());
   const long steps = step_count(end_, solver_.step_size());
+  progress.begin_at(solver_.time(), points * static_cast<double>(solver_.steps()), part);
   try {
     while (solver_.steps() < steps && !Interrupt::requested()) {
       step();
@@ -61,6 +96,7 @@ void SolverMarch::run(Progress& progress, int part) {
     sample();
     throw;
   }
+  store();  // before the samples that only a stop here makes
   sample();
   write_frame();
 }
@@ -72,6 +108,7 @@ void SolverMarch::step() {
   calls_.after_step();
   if (due(next_sample_)) sample();
   if (due(next_frame_)) write_frame();
+  if (checkpoints_.is_due(solver_.steps())) store();
 }
 
 bool SolverMarch::due(double instant) const {
@@ -102,7 +139,7 @@ void SolverMarch::add_cost(nlohmann::json& results) const {
   results["points"] = solver_.point_count();
   results["steps"] = solver_.steps();
   results["simulated_time"] = solver_.time();
-  results["wall_seconds"] = seconds_since(started_);
+  results["wall_seconds"] = seconds_before_ + seconds_since(started_);
   results["output_seconds"] = output_seconds_;
   results["peak_memory_bytes"] = peak_memory();
   results["point_steps_per_second"] = rate * static_cast<double>(solver_.point_count());

@@ -212,6 +212,17 @@ TEST_CASE("parts that run side by side are one line") {
              Contains("35 %  45 s left  0.25 M point-steps/s  none failed; 2 failed"));
 }
 
+TEST_CASE("what was done before a run went on counts, but not for its speed") {
+  std::ostringstream stream;
+  double now = 0;
+  Progress progress(Progress::Mode::lines, stream, [&] { return now; });
+  progress.start("piercing", 10);
+  progress.begin_at(5, 50e6);
+  now = 20;
+  progress.update(6, 60e6);
+  CHECK_THAT(stream.str(), Contains("60 %  80 s left  0.5 M point-steps/s"));
+}
+
 TEST_CASE("progress is quiet or stays on one line") {
   std::ostringstream stream;
   double now = 0;
