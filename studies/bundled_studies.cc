@@ -35,6 +35,10 @@ fs::path figure_directory() {
   return resource("figures", ZONA_FIGURE_DIRECTORY);
 }
 
+fs::path report_directory() {
+  return resource("report", ZONA_STUDY_DIRECTORY "/report");
+}
+
 std::vector<BundledStudy> bundled_studies() {
   std::vector<BundledStudy> studies;
   for (const fs::path& directory : {study_directory(), study_directory() / "verification"}) {

@@ -15,6 +15,7 @@ struct BundledStudy {
 /// Folders of what comes with the program: those installed next to it, else those of its source.
 std::filesystem::path study_directory();
 std::filesystem::path figure_directory();
+std::filesystem::path report_directory();
 
 /// The bundled study files and those in verification/, by name: those installed next to the
 /// program, else those of its source.

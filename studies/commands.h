@@ -54,6 +54,10 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
 /// `zona check`: prints every parameter in SI and the cost estimate.
 int check_study(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
+/// `zona report`: writes report.html and the folder report into the directory of a run, and prints
+/// where. Throws InputError for what is no run, RunError when Python fails.
+int write_report(const std::filesystem::path& directory);
+
 /// `zona list`: study kinds and bundled study files.
 int list_studies();
 

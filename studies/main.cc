@@ -80,6 +80,13 @@ void add_bench(CLI::App& program, bench::BenchOptions& options, int& code) {
   command.callback([&] { code = with_messages([&] { return bench::run_bench(options); }); });
 }
 
+void add_report(CLI::App& program, RunOptions& options, int& code) {
+  CLI::App& command =
+      *program.add_subcommand("report", "Write a page with charts, pictures and a replay of a run");
+  command.add_option("DIRECTORY", options.file, "Directory of a run")->required();
+  command.callback([&] { code = with_messages([&] { return write_report(options.file); }); });
+}
+
 int print(const std::string& text) {
   std::cout << text;
   return exit_ok;
@@ -118,6 +125,7 @@ int main(int argc, char** argv) {
   int code = exit_ok;
   add_run(program, options, code);
   add_check(program, options, code);
+  add_report(program, options, code);
   add_verify(program, verification, code);
   add_bench(program, bench_options, code);
   add_references(program, key, code);

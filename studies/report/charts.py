@@ -1,0 +1,69 @@
+"""Charts of a report: as SVG for the page, and as SVG, PNG and CSV files beside it."""
+
+import csv
+import io
+import re
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
+COLOURS = ["#1f5fa8", "#c8442b", "#2f8f5b", "#8a5bb0", "#b8860b", "#4aa3b5", "#7a7a7a"]
+STYLE = {"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
+         "grid.color": "#e4e4e4", "axes.prop_cycle": plt.cycler(color=COLOURS), "lines.linewidth": 1.3,
+         "svg.fonttype": "none", "svg.hashsalt": "zona", "legend.frameon": False, "figure.dpi": 100}
+plt.rcParams.update(STYLE)
+
+
+class Chart:
+    """Lines over one axis. `lines` are (label, x, y); `title` says what is to be seen."""
+
+    def __init__(self, name, title, x_label, y_label, lines, markers=False, x_limit=None):
+        self.name, self.title = name, title
+        self.x_label, self.y_label = x_label, y_label
+        self.lines, self.markers, self.x_limit = lines, markers, x_limit
+
+    def draw(self, folder):
+        """Writes the files; returns the SVG for the page."""
+        figure, axes = plt.subplots(figsize=(6.4, 3.3), layout="constrained")
+        for label, x, y in self.lines:
+            axes.plot(x, y, "o-" if self.markers else "-", markersize=3.5, label=label)
+        axes.set_xlabel(self.x_label)
+        axes.set_ylabel(self.y_label)
+        if self.x_limit:
+            axes.set_xlim(*self.x_limit)
+        if len(self.lines) > 1 or self.lines[0][0]:
+            axes.legend(fontsize=8, loc="lower left", bbox_to_anchor=(0, 1), ncols=4, borderaxespad=0.2)
+        text = io.StringIO()
+        figure.savefig(text, format="svg", metadata={"Date": None})
+        (folder / f"{self.name}.svg").write_text(text.getvalue(), encoding="utf-8")
+        figure.savefig(folder / f"{self.name}.png", dpi=200)
+        plt.close(figure)
+        self._write_csv(folder / f"{self.name}.csv")
+        return _inline(text.getvalue(), self.name)
+
+    def _write_csv(self, path):
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(["line", self.x_label, self.y_label])
+            for label, x, y in self.lines:
+                writer.writerows((label, repr(float(a)), repr(float(b))) for a, b in zip(x, y))
+
+
+def _inline(svg, name):
+    """Without the XML prologue and with names of its own, so that several fit into one page."""
+    svg = svg[svg.index("<svg"):]
+    svg = re.sub(r'\bid="([^"]+)"', rf'id="{name}-\1"', svg)
+    svg = re.sub(r'xlink:href="#([^"]+)"', rf'xlink:href="#{name}-\1"', svg)
+    return re.sub(r"url\(#([^)]+)\)", rf"url(#{name}-\1)", svg)
+
+
+def spectrum(time, values):
+    """Frequencies [Hz] and amplitudes of a motion, whose mean is taken off; Hann's window."""
+    even = np.linspace(time[0], time[-1], len(time))
+    signal = np.interp(even, time, values)
+    window = np.hanning(len(signal))
+    amplitude = 2 * np.abs(np.fft.rfft((signal - signal.mean()) * window)) / window.sum()
+    return np.fft.rfftfreq(len(signal), even[1] - even[0]), amplitude
