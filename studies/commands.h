@@ -58,6 +58,10 @@ int check_study(const std::filesystem::path& file, const std::vector<std::string
 /// where. Throws InputError for what is no run, RunError when Python fails.
 int write_report(const std::filesystem::path& directory);
 
+/// `zona status`: prints how far the run in a directory is, or how it ended. Throws InputError for
+/// what is no run.
+int show_status(const std::filesystem::path& directory);
+
 /// `zona list`: study kinds and bundled study files.
 int list_studies();
 

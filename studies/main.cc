@@ -87,6 +87,12 @@ void add_report(CLI::App& program, RunOptions& options, int& code) {
   command.callback([&] { code = with_messages([&] { return write_report(options.file); }); });
 }
 
+void add_status(CLI::App& program, RunOptions& options, int& code) {
+  CLI::App& command = *program.add_subcommand("status", "Tell how far a run is, from any terminal");
+  command.add_option("DIRECTORY", options.file, "Directory of a run")->required();
+  command.callback([&] { code = with_messages([&] { return show_status(options.file); }); });
+}
+
 int print(const std::string& text) {
   std::cout << text;
   return exit_ok;
@@ -125,6 +131,7 @@ int main(int argc, char** argv) {
   int code = exit_ok;
   add_run(program, options, code);
   add_check(program, options, code);
+  add_status(program, options, code);
   add_report(program, options, code);
   add_verify(program, verification, code);
   add_bench(program, bench_options, code);

@@ -45,6 +45,10 @@ Progress::~Progress() {
   if (active_ && mode_ == Mode::live) stream_ << std::endl;
 }
 
+void Progress::publish_to(std::function<void(const std::string& line)> publish) {
+  publish_ = std::move(publish);
+}
+
 void Progress::start(const std::string& label, double total, int parts) {
   if (active_) finish();
   active_ = true;
@@ -52,7 +56,7 @@ void Progress::start(const std::string& label, double total, int parts) {
   total_ = total;
   parts_.assign(parts, {});
   shown_fraction_ = 0;
-  started_ = shown_at_ = clock_();
+  started_ = shown_at_ = published_at_ = clock_();
 }
 
 void Progress::begin_at(double done, double point_steps, int part) {
@@ -62,16 +66,22 @@ void Progress::begin_at(double done, double point_steps, int part) {
 
 void Progress::update(double done, double point_steps, const std::string& quantities, int part) {
   const std::lock_guard lock(mutex_);
-  if (mode_ == Mode::quiet || !active_) return;
+  if (!active_) return;
   Part& updated = parts_[part];
   updated.done = done;
   updated.point_steps = point_steps;
   updated.quantities = quantities;
-  const double waited = clock_() - shown_at_;
+  const double now = clock_();
+  if (publish_ && now - published_at_ >= 2) {
+    published_at_ = now;
+    publish_(line());
+  }
+  if (mode_ == Mode::quiet) return;
+  const double waited = now - shown_at_;
   const bool next_tenth = fraction() >= shown_fraction_ + 0.1 - 1e-12 && waited >= 0.2;
   const bool due = mode_ == Mode::live ? waited >= 0.2 : waited >= 10 || next_tenth;
   if (!due) return;
-  shown_at_ = clock_();
+  shown_at_ = now;
   shown_fraction_ = std::floor(fraction() * 10 + 1e-9) / 10;
   show();
 }

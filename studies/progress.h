@@ -30,6 +30,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// From now on also tells `publish` every two seconds how far the stage is, in every mode.
+  void publish_to(std::function<void(const std::string& line)> publish);
+
   /// Begins a stage whose parts end when `update` gets `total` (simulated seconds, runs, anything).
   void start(const std::string& label, double total, int parts = 1);
   /// What of a part was done before this program began: it counts, but not for speed and time left.
@@ -61,6 +64,7 @@ class Progress {
   Mode mode_;
   std::ostream& stream_;
   Clock clock_;
+  std::function<void(const std::string&)> publish_;
   bool active_ = false;
   std::string label_;
   double total_ = 0;
@@ -68,6 +72,7 @@ class Progress {
   std::mutex mutex_;  ///< of the parts and of what is shown while a stage runs
   double started_ = 0;
   double shown_at_ = 0;
+  double published_at_ = 0;
   double shown_fraction_ = 0;
 };
 

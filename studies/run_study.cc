@@ -13,6 +13,7 @@
 #include "studies/progress.h"
 #include "studies/resolved_study.h"
 #include "studies/run_directory.h"
+#include "studies/status.h"
 #include "studies/summary.h"
 #include "studies/version.h"
 
@@ -99,10 +100,12 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   nlohmann::json results = nlohmann::json::object();
   {
     Progress progress(Progress::suitable_mode(options.quiet), std::cerr);
+    progress.publish_to([&](const std::string& line) { leave_status(directory, line); });
     Session session{directory, progress, results, outcome.threads, options.resume};
     carry_out(job, session, outcome);
   }
   directory.write("summary.json", summary_text(study, outcome, results));
+  remove_status(directory);
   if (outcome.status == "complete") remove_checkpoints(directory.path());
   directory.log(outcome.message.empty() ? last_words(outcome)
                                         : last_words(outcome) + ": " + outcome.message);

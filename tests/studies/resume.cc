@@ -201,6 +201,25 @@ TEST_CASE("a run that is asked to stop stores its state and goes on to the same 
   CHECK_THAT(again.text, Contains("is complete"));
 }
 
+TEST_CASE("the status of a run is told from outside") {
+  const ScratchDirectory scratch;
+  const auto cut = scratch.path() / "cut";
+  const auto status = [&] { return call("status " + cut.string()); };
+  CHECK(status().code == 2);
+  CHECK_THAT(status().text, Contains("holds no run"));
+  const std::string run = "run " + piercing + " --out " + cut.string();
+  REQUIRE(run_and_signal(run + " --set run.checkpoint_steps=20", cut, SIGKILL));
+  CHECK_THAT(status().text, Contains("killed") && Contains("--resume"));
+  {
+    const FileLock lock(cut / "log.txt");
+    std::ofstream(cut / "status.json") << R"({"progress": "piercing 12 %", "updated": 5})";
+    CHECK_THAT(status().text, Contains("running\npiercing 12 %") && Contains(" ago"));
+  }
+  CHECK_THAT(status().text, Contains("killed") && Contains("piercing 12 %"));
+  REQUIRE(call(run + " --resume").code == 0);
+  CHECK(status().text == "complete\n");
+}
+
 TEST_CASE("what cannot be resumed is refused with the reason, and nothing is lost") {
   const ScratchDirectory scratch;
   const auto cut = scratch.path() / "cut";

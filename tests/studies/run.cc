@@ -223,6 +223,21 @@ TEST_CASE("what was done before a run went on counts, but not for its speed") {
   CHECK_THAT(stream.str(), Contains("60 %  80 s left  0.5 M point-steps/s"));
 }
 
+TEST_CASE("progress is published every two seconds, also when it is quiet") {
+  std::ostringstream stream;
+  double now = 0;
+  std::vector<std::string> published;
+  Progress progress(Progress::Mode::quiet, stream, [&] { return now; });
+  progress.publish_to([&](const std::string& line) { published.push_back(line); });
+  progress.start("water", 10);
+  for (int i = 1; i <= 10; ++i) {
+    now += 0.5;
+    progress.update(i);
+  }
+  REQUIRE(published.size() == 2);
+  CHECK_THAT(published[1], Contains("water") && Contains("80 %  1 s left"));
+}
+
 TEST_CASE("progress is quiet or stays on one line") {
   std::ostringstream stream;
   double now = 0;
