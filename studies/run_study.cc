@@ -50,13 +50,16 @@ void check_same_study(const Configuration& study, const RunDirectory& directory)
                   difference, directory.path().string()));
 }
 
-/// Whatever happens becomes a status.
+/// Whatever happens becomes a status, but for checkpoints that cannot be gone on from: then nothing
+/// has been computed, and the summary that is there stays. Throws InputError.
 void carry_out(const Job& job, Session& session, RunOutcome& outcome) {
   const Interrupt interrupt;
   const auto started = std::chrono::steady_clock::now();
   try {
     job(session);
     outcome.status = Interrupt::requested() ? "interrupted" : "complete";
+  } catch (const mpm::CheckpointError& error) {
+    throw InputError("--resume", error.what());
   } catch (const std::exception& error) {
     outcome.status = "failed";
     outcome.message = error.what();
