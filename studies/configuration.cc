@@ -59,7 +59,9 @@ const std::string& Configuration::text(const std::string& key) const {
 
 std::filesystem::path Configuration::path(const std::string& key) const {
   const std::string& name = of_kind(key, Parameter::Kind::file, false).texts.front();
-  return name.empty() ? std::filesystem::path() : base_directory() / name;
+  if (name.empty()) return {};
+  const std::filesystem::path& directory = setting(key).directory;
+  return (directory.empty() ? base_directory() : directory) / name;
 }
 
 std::vector<double> Configuration::quantities(const std::string& key) const {

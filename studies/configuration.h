@@ -19,8 +19,10 @@ struct Setting {
   std::vector<std::string> texts;  ///< one per item, as written: "mercury", "13.5 um"
   bool is_auto = false;
   bool is_default = false;
-  std::string where;  ///< "file:line" or "--set"; empty for a default
-  int line = 0;       ///< 0 for defaults and overrides
+  std::string where;                ///< "file:line" or "--set"; empty for a default
+  int line = 0;                     ///< 0 for defaults and overrides
+  std::filesystem::path directory;  ///< where relative paths start; empty: at the study file
+  bool is_inherited = false;        ///< whether it stands in a file that the study is based on
 };
 
 /// Where a table of a list begins, and what it is called.

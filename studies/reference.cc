@@ -84,6 +84,13 @@ std::string help_of_kind(const Schema& schema) {
   return text;
 }
 
+std::string base_help() {
+  return "the path of another study file, whose values hold where this one says nothing. Relative "
+         "paths start at the file\nthat names them. `[[body]]` and other lists of tables replace "
+         "those of the base, `[body.NAME]` amends one of them.\nWhat the base says and does not "
+         "apply any more is left out. `--set` amends the whole.\n";
+}
+
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
   for (const StudyKind& kind : study_kinds()) {
@@ -100,7 +107,10 @@ std::string parameter_reference() {
       "# Parameters\n\nWritten by `zona reference` from the declarations in `studies/`; do not "
       "edit. "
       "Numbers in brackets are sections,\nequations and tables of the dissertation. Quantities are "
-      "texts with a unit, limits are in SI.\n";
+      "texts with a unit, limits are in SI.\n\nAbove all tables stand `study = \"...\"`, the kind "
+      "of "
+      "the study, and, if wanted, `base = \"...\"`:\n" +
+      base_help();
   std::map<std::string, std::string> first_anchor;  // of a table with this content
   for (const StudyKind& kind : study_kinds()) {
     const Schema& schema = *kind.schema;
@@ -120,6 +130,7 @@ std::string parameter_help(const std::string& name) {
   for (const StudyKind& kind : study_kinds()) {
     if (kind.schema->kind() == name) return help_of_kind(*kind.schema);
   }
+  if (name == "base") return "base = \"...\"\n" + base_help();
   const std::string key = help_of_keys(
       [&](const Schema&, const Parameter& parameter) { return parameter.key == name; });
   if (!key.empty()) return key;

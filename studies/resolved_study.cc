@@ -38,9 +38,15 @@ std::string si_value(const Setting& setting, const Parameter& parameter) {
   return parameter.unit.empty() ? numbers : numbers + " " + parameter.unit;
 }
 
+/// "line 7", "--set", or "base.toml:7" of a file that the study is based on.
+std::string place_of(const Setting& setting) {
+  if (setting.is_inherited) return std::filesystem::path(setting.where).filename().string();
+  return setting.line > 0 ? fmt::format("line {}", setting.line) : setting.where;
+}
+
 std::string origin(const Setting& setting) {
   if (setting.is_default) return "default";
-  const std::string place = setting.line > 0 ? fmt::format("line {}", setting.line) : setting.where;
+  const std::string place = place_of(setting);
   return setting.written.type == TomlValue::Type::text ||
                  setting.written.type == TomlValue::Type::list
              ? fmt::format("{}: {}", place, printable(setting.written.written(), 40))

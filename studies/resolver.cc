@@ -12,6 +12,20 @@
 
 namespace zona::studies {
 
+namespace {
+
+/// What a base says for its own kind need not mean anything to the study that is based on it.
+bool is_known(const TomlEntry& entry, const std::vector<const Schema*>& schemas) {
+  const auto item = item_key(entry.key);
+  const bool is_table = entry.value.type == TomlValue::Type::table;
+  return std::any_of(schemas.begin(), schemas.end(), [&](const Schema* schema) {
+    return schema->find(entry.key) != nullptr ||
+           (is_table && schema->find_section(item ? item->list : entry.key) != nullptr);
+  });
+}
+
+}  // namespace
+
 Resolver::Resolver(const Schema& schema, const std::filesystem::path& file,
                    const StudySource& source)
     : configuration_(schema, file), problems_(source.problems) {
@@ -48,6 +62,8 @@ void Resolver::take(const SourcedEntry& source, const std::vector<const Schema*>
   if (!messages.empty()) return;
   setting.where = source.where;
   setting.line = source.line;
+  setting.directory = source.directory;
+  setting.is_inherited = source.is_inherited();
   configuration_.set(entry.key, std::move(setting));
 }
 
@@ -55,6 +71,7 @@ void Resolver::report_unknown(const SourcedEntry& source,
                               const std::vector<const Schema*>& schemas) {
   const Schema& schema = configuration_.schema();
   const std::string& key = source.entry.key;
+  if (source.is_inherited() && is_known(source.entry, schemas)) return;
   const auto item = item_key(key);
   const std::string table = unknown_table(schema, key);
   if (!table.empty() && !reported_tables_.insert(table).second) return;
@@ -63,10 +80,10 @@ void Resolver::report_unknown(const SourcedEntry& source,
   const bool is_item =
       in_list && item->number() && *item->number() < configuration_.item_count(item->list);
   std::string message;
-  if (source.line == 0 && in_list && !is_item) {
+  if (source.amends && in_list && !is_item) {
     const std::vector<std::string> names = configuration_.item_names(item->list);
     const std::string nearest = nearest_name(item->item, names);
-    message = fmt::format("there is no {} \"{}\" among the {} of the file; {}", item->list,
+    message = fmt::format("there is no {} \"{}\" among the {}; {}", item->list,
                           printable(item->item), names.size(),
                           nearest.empty() ? "use its name, or its number from 0"
                                           : "did you mean " + item->list + "." + nearest + "?");
@@ -76,6 +93,10 @@ void Resolver::report_unknown(const SourcedEntry& source,
   const bool whole_table = !table.empty() && item->number();
   const std::string shown = whole_table ? item->list : configuration_.shown_key(key);
   problems_.push_back({source.where, shown, message, source.line});
+}
+
+bool Resolver::is_inherited(const std::string& key) const {
+  return configuration_.applies(key) && configuration_.setting(key).is_inherited;
 }
 
 Resolver::Applies Resolver::applies(const Parameter& parameter, const std::string& table) const {
@@ -118,7 +139,7 @@ void Resolver::complete(const Parameter& parameter, const std::string& table) {
     for (const Condition& condition : parameter.conditions) {
       where += (where.empty() ? "" : " and ") + condition.text();
     }
-    complain(key, fmt::format("applies only where {}; remove it", where));
+    if (!is_inherited(key)) complain(key, fmt::format("applies only where {}; remove it", where));
     configuration_.unset(key);
   }
   if (given || state != Applies::yes) return;
@@ -205,8 +226,10 @@ void Resolver::complain(const std::string& key, const std::string& message) {
 
 Configuration Resolver::result() {
   if (problems_.empty()) return configuration_;
-  const auto place = [](const Problem& problem) {
-    return problem.line > 0 ? problem.line : std::numeric_limits<int>::max();
+  const std::string here = configuration_.file().string() + ":";
+  const auto place = [&](const Problem& problem) {
+    const bool elsewhere = problem.where.rfind(here, 0) != 0;
+    return std::pair(elsewhere, problem.line > 0 ? problem.line : std::numeric_limits<int>::max());
   };
   std::stable_sort(problems_.begin(), problems_.end(),
                    [&](const Problem& a, const Problem& b) { return place(a) < place(b); });

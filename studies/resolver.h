@@ -31,6 +31,7 @@ class Resolver {
   enum class Applies { yes, no, unknown };
 
   void report_unknown(const SourcedEntry& source, const std::vector<const Schema*>& schemas);
+  bool is_inherited(const std::string& key) const;
   Applies applies(const Parameter& parameter, const std::string& table) const;
   void complete(const Parameter& parameter, const std::string& table);
   void check_distinct(const std::string& list);

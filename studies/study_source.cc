@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 
-#include "studies/source_items.h"
+#include "studies/source_layers.h"
 
 namespace zona::studies {
 
 namespace {
 
 constexpr std::size_t largest_file = 4 << 20;  // bytes; a study is a few kilobytes
+constexpr int most_files = 10;                 // a study and those that it is based on
 
 std::string read_file(const std::filesystem::path& file) {
   std::error_code failure;
@@ -63,37 +65,28 @@ std::vector<TomlEntry> parse_override(const std::string& text, StudySource& sour
   return {};
 }
 
-/// Whether an override of `key` gives a whole list of tables, perhaps an empty one.
-bool is_whole_list(const std::string& key, const std::vector<TomlEntry>& entries) {
-  if (entries.empty()) return false;
-  const TomlEntry& first = entries.front();
-  const bool empty = first.value.type == TomlValue::Type::list && first.value.items.empty();
-  return (empty && first.key == key) ||
-         (first.value.type == TomlValue::Type::table && first.key == key + ".0");
-}
-
-void apply_override(TomlEntry entry, StudySource& source) {
-  entry.key = with_item_numbers(source.entries, entry.key);
-  const auto same_key = [&](const SourcedEntry& other) { return other.entry.key == entry.key; };
-  const auto found = std::find_if(source.entries.begin(), source.entries.end(), same_key);
-  if (found != source.entries.end() && found->where == "--set") {
-    source.problems.push_back(override_problem(entry.key, "is set twice; set it once"));
-    return;
+/// The entries of one override, ready to amend a study.
+std::vector<SourcedEntry> override_layer(const std::string& text, StudySource& source) {
+  std::vector<SourcedEntry> layer;
+  for (TomlEntry& entry : parse_override(text, source)) {
+    if (entry.key == "base") {
+      source.problems.push_back(override_problem("base", "belongs into a study file"));
+      continue;
+    }
+    entry.value.line = 0;
+    layer.push_back({std::move(entry), "--set", 0, 0, {}, true});
   }
-  if (found != source.entries.end()) source.entries.erase(found);
-  entry.value.line = 0;
-  source.entries.push_back({std::move(entry), "--set", 0});
+  return layer;
 }
 
-}  // namespace
-
-StudySource read_study_source(const std::filesystem::path& file,
-                              const std::vector<std::string>& overrides) {
-  StudySource source;
+/// The entries of one file, in the order of its lines.
+std::vector<SourcedEntry> file_layer(const std::filesystem::path& file, int layer) {
+  std::vector<SourcedEntry> entries;
   try {
     for (TomlEntry& entry : parse_toml(read_file(file))) {
       const int line = entry.value.line;
-      source.entries.push_back({std::move(entry), fmt::format("{}:{}", file.string(), line), line});
+      entries.push_back({std::move(entry), fmt::format("{}:{}", file.string(), line), line, layer,
+                         std::filesystem::absolute(file).parent_path(), false});
     }
   } catch (const TomlError& error) {
     throw InputError({Problem{fmt::format("{}:{}", file.string(), error.line), "",
@@ -101,12 +94,62 @@ StudySource read_study_source(const std::filesystem::path& file,
                                           printable(error.what(), 300)),
                               error.line}});
   }
-  for (const std::string& text : overrides) {
-    std::vector<TomlEntry> entries = parse_override(text, source);
-    const std::string key = text.substr(0, text.find('='));
-    if (is_whole_list(key, entries)) erase_list(source.entries, key);
-    for (TomlEntry& entry : entries) apply_override(std::move(entry), source);
+  return entries;
+}
+
+/// The file that the entry `base` names; nothing when it cannot be one.
+std::optional<std::filesystem::path> base_of(const SourcedEntry& base, StudySource& source) {
+  const auto refuse = [&](const std::string& message) {
+    source.problems.push_back({base.where, "base", message, base.line});
+    return std::nullopt;
+  };
+  const TomlValue& value = base.entry.value;
+  if (value.type != TomlValue::Type::text || value.text.empty() ||
+      value.text.find('\0') != std::string::npos) {
+    return refuse(
+        fmt::format("{} is not the path of a study file; write e.g. base = "
+                    "\"piercing_lateral.toml\"",
+                    printable(value.written())));
   }
+  const std::filesystem::path file = (base.directory / value.text).lexically_normal();
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(file, failure)) {
+    return refuse(
+        fmt::format("there is no file {}; relative paths start at the file that names "
+                    "them",
+                    printable(file.string(), 400)));
+  }
+  return file;
+}
+
+/// Reads a file and what it is based on. `layer` counts the files above it.
+void read_files(const std::filesystem::path& file, int layer, StudySource& source) {
+  std::vector<SourcedEntry> entries = file_layer(file, layer);
+  const auto is_base = [](const SourcedEntry& entry) { return entry.entry.key == "base"; };
+  const auto found = std::find_if(entries.begin(), entries.end(), is_base);
+  if (found == entries.end()) return amend(source, std::move(entries));
+  const SourcedEntry base = *found;
+  entries.erase(found);
+  for (SourcedEntry& entry : entries) entry.amends = true;
+  if (layer == most_files) {
+    source.problems.push_back({base.where, "base",
+                               fmt::format("is the {}th file in a row that is based on another; "
+                                           "perhaps a file is based on itself",
+                                           layer),
+                               base.line});
+  } else if (const auto next = base_of(base, source)) {
+    read_files(*next, layer + 1, source);
+  }
+  amend(source, std::move(entries));
+}
+
+}  // namespace
+
+StudySource read_study_source(const std::filesystem::path& file,
+                              const std::vector<std::string>& overrides) {
+  StudySource source;
+  read_files(file, 1, source);
+  for (const std::string& text : overrides) amend(source, override_layer(text, source));
   return source;
 }
 

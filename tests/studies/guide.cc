@@ -16,7 +16,9 @@ std::vector<std::string> studies_on(const std::string& page) {
   for (std::size_t at = 0; (at = text.find(fence, at)) != std::string::npos;) {
     at += fence.size();
     const std::string example = text.substr(at, text.find("```", at) - at);
-    if (example.find("study = ") != std::string::npos) studies.push_back(example);
+    const bool is_whole = example.find("study = ") != std::string::npos ||
+                          example.find("base = ") != std::string::npos;
+    if (is_whole) studies.push_back(example);
   }
   return studies;
 }
@@ -27,7 +29,9 @@ TEST_CASE("the studies printed in the README and the guide are valid") {
   std::size_t count = 0;
   for (const char* page : {"README.md", "docs/guide.md"}) {
     for (const std::string& text : studies_on(page)) {
-      const ScratchDirectory scratch;
+      const ScratchDirectory scratch;  // as it were the clone, where bases are found
+      std::filesystem::create_directory_symlink(ZONA_SOURCE_DIR "/studies",
+                                                scratch.path() / "studies");
       const Configuration study = load_configuration(scratch.write("s.toml", text));
       CHECK_NOTHROW(find_study_kind(study.kind()).prepare(study));
       ++count;

@@ -196,10 +196,10 @@ TEST_CASE("overrides reach items by name or by number") {
   CHECK(load(two_rooms, {"room.1.radius=\"3 m\""}).quantity("room.1.radius") == 3);
   CHECK(load(two_rooms, {"room.hall.lamps=[\"floor\"]"}).texts("room.0.lamps").front() == "floor");
   CHECK_THAT(problems(two_rooms, {"room.hal.width=\"5 m\""}),
-             Equals("0: room.hal.width: there is no room \"hal\" among the 2 of the file; did you "
+             Equals("0: room.hal.width: there is no room \"hal\" among the 2; did you "
                     "mean room.hall?"));
   CHECK_THAT(problems(two_rooms, {"room.2.width=\"5 m\""}),
-             Contains("there is no room \"2\" among the 2 of the file"));
+             Contains("there is no room \"2\" among the 2"));
   CHECK_THAT(problems(two_rooms, {"room.hall.widht=\"5 m\""}), Contains("did you mean width?"));
   CHECK_THAT(problems(two_rooms, {"room.hall.width=\"5 m\"", "room.0.width=\"4 m\""}),
              Contains("is set twice"));
