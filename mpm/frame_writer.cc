@@ -18,8 +18,8 @@ namespace zona::mpm {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& cloud, const std::string& problem) {
-  throw std::invalid_argument(fmt::format("frame: cloud '{}': {}", cloud, problem));
+[[noreturn]] void refuse(const std::string& part, const std::string& problem) {
+  throw std::invalid_argument(fmt::format("frame: '{}': {}", part, problem));
 }
 
 void check_name(const std::string& cloud, const std::string& name) {
@@ -47,6 +47,30 @@ void check_cloud(const PointCloud& cloud) {
   }
 }
 
+std::array<std::size_t, 3> cell_counts(const CellFields& cells) {
+  std::array<std::size_t, 3> counts{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& boundaries = cells.boundaries[axis];
+    if (boundaries.size() < 2 || !std::is_sorted(boundaries.begin(), boundaries.end()))
+      refuse(cells.name, "boundaries of cells must be two or more and ascend");
+    counts[axis] = boundaries.size() - 1;
+  }
+  return counts;
+}
+
+void check_cells(const CellFields& cells) {
+  check_name(cells.name, cells.name);
+  const auto [nx, ny, nz] = cell_counts(cells);
+  const std::size_t count = nx * ny * nz;
+  for (const auto& [name, values] : cells.fields) {
+    check_name(cells.name, name);
+    if (values.size() != count && values.size() != 3 * count)
+      refuse(cells.name, fmt::format("field '{}' has {} values for {} cells; one or three a cell "
+                                     "are wanted",
+                                     name, values.size(), count));
+  }
+}
+
 std::vector<float> rounded(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
@@ -71,6 +95,10 @@ std::string six_digits(std::size_t frame) {
 
 std::string frame_group(std::size_t frame) {
   return "/frames/" + six_digits(frame);
+}
+
+std::string cells_group(std::size_t frame) {
+  return "/cells/" + six_digits(frame);
 }
 
 }  // namespace
@@ -107,7 +135,7 @@ std::vector<FrameWriter::Frame> FrameWriter::stored_frames(const std::string& di
   for (const std::string& name : file.children("/frames")) {
     const double time = file.read_attribute<double>("/frames/" + name, "time");
     if (time > last_time) break;
-    frames.push_back({time, {}, xdmf_frame(file, "/frames/" + name)});
+    frames.push_back({time, {}, file.contains("/cells/" + name), xdmf_frame(file, name)});
   }
   for (const std::string& cloud : file.children("/topology")) {
     for (const std::string& name : file.children("/topology/" + cloud)) {
@@ -130,7 +158,8 @@ void FrameWriter::recall_topologies() {
   }
 }
 
-void FrameWriter::check_frame(double time, const std::vector<PointCloud>& clouds) const {
+void FrameWriter::check_frame(double time, const std::vector<PointCloud>& clouds,
+                              const std::vector<CellFields>& cells) const {
   const double last_time =
       frames_.empty() ? -std::numeric_limits<double>::infinity() : frames_.back().time;
   if (!std::isfinite(time) || time <= last_time)
@@ -141,25 +170,31 @@ void FrameWriter::check_frame(double time, const std::vector<PointCloud>& clouds
     check_cloud(cloud);
     if (!names.insert(cloud.name).second) refuse(cloud.name, "occurs twice");
   }
+  for (const CellFields& fields : cells) {
+    check_cells(fields);
+    if (!names.insert(fields.name).second) refuse(fields.name, "occurs twice");
+  }
 }
 
-void FrameWriter::add_frame(double time, const std::vector<PointCloud>& clouds) {
-  check_frame(time, clouds);
+void FrameWriter::add_frame(double time, const std::vector<PointCloud>& clouds,
+                            const std::vector<CellFields>& cells) {
+  check_frame(time, clouds, cells);
   const std::string group = frame_group(frames_.size());
   const std::string path = frame_file(index(), group);
-  Frame frame{time, {}, ""};
+  Frame frame{time, {}, !cells.empty(), ""};
   {
     Hdf5File file = Hdf5File::create_in_memory(path);
     file.create_group(group);
     for (const PointCloud& cloud : clouds)
       if (!cloud.positions.empty()) write_cloud(file, group, cloud, frame.topologies);
     std::sort(frame.topologies.begin(), frame.topologies.end());
+    for (const CellFields& fields : cells) write_cells(file, cells_group(frames_.size()), fields);
     file.write_attribute(group, "time", time);
     replace_file(path, file.close_in_memory());
   }
   frames_.push_back(std::move(frame));
   write_index();
-  frames_.back().description = xdmf_frame(Hdf5File::open(index()), group);
+  frames_.back().description = xdmf_frame(Hdf5File::open(index()), six_digits(frames_.size() - 1));
   write_xdmf();
 }
 
@@ -169,15 +204,15 @@ void FrameWriter::write_cloud(Hdf5File& file, const std::string& frame, const Po
   file.create_group(group + "/fields");
   const bool in_double = precision_ == PositionPrecision::double_precision;
   if (in_double)
-    file.write(group + "/positions", cloud.positions, 3);
+    file.write(group + "/positions", cloud.positions, {3});
   else
-    file.write(group + "/positions", rounded(cloud.positions), 3);
+    file.write(group + "/positions", rounded(cloud.positions), {3});
   file.write_attribute(group, "position_bytes", std::int64_t{in_double ? 8 : 4});
   file.write_attribute(group, "topology", stored_topology(file, cloud, topologies));
   for (const auto& [name, values] : cloud.fields) {
     const std::string dataset = group + "/fields/" + name;
     if (values.size() == cloud.positions.size())
-      file.write(dataset, rounded(values), 3);
+      file.write(dataset, rounded(values), {3});
     else
       file.write(dataset, rounded(values));
   }
@@ -190,10 +225,23 @@ std::string FrameWriter::stored_topology(Hdf5File& file, const PointCloud& cloud
   const std::size_t points_a_cell = cloud.triangles.empty() ? 1 : 3;
   if (last.points_a_cell == points_a_cell && last.corners == corners) return last.dataset;
   const std::string dataset = "/topology/" + cloud.name + "/" + six_digits(frames_.size());
-  file.write(dataset, corners, points_a_cell);
+  file.write(dataset, corners, {points_a_cell});
   topologies.push_back(dataset);
   last = {points_a_cell, std::move(corners), dataset};
   return dataset;
+}
+
+void FrameWriter::write_cells(Hdf5File& file, const std::string& cells, const CellFields& fields) {
+  const std::string group = cells + "/" + fields.name;
+  file.create_group(group + "/fields");
+  for (int axis = 0; axis < 3; ++axis)
+    file.write(group + "/" + "xyz"[axis], fields.boundaries[axis]);
+  const auto [nx, ny, nz] = cell_counts(fields);
+  for (const auto& [name, values] : fields.fields) {
+    const bool is_scalar = values.size() == nx * ny * nz;
+    const auto layer = is_scalar ? std::vector{ny, nx} : std::vector{ny, nx, std::size_t{3}};
+    file.write(group + "/fields/" + name, rounded(values), layer);
+  }
 }
 
 void FrameWriter::write_index() const {
@@ -204,6 +252,7 @@ void FrameWriter::write_index() const {
     const std::string target = "fields/" + six_digits(f) + ".h5";
     file.link(frame_group(f), target);
     for (const std::string& dataset : frames_[f].topologies) file.link(dataset, target);
+    if (frames_[f].has_cells) file.link(cells_group(f), target);
   }
   replace_file(index(), file.close_in_memory());
 }

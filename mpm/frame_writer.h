@@ -19,6 +19,15 @@ struct PointCloud {
   std::map<std::string, std::vector<double>> fields;
 };
 
+/// Averages over the cells of a grid at one instant, beside the points that they are of.
+struct CellFields {
+  std::string name;                               ///< letters, digits, `_`, `-`
+  std::array<std::vector<double>, 3> boundaries;  ///< of the cells along x, y, z, ascending [m]
+  /// Values of the cells [SI units], x fastest, then y: one a cell, or three (a vector,
+  /// interleaved). NaN where there is nothing to average.
+  std::map<std::string, std::vector<double>> fields;
+};
+
 /// How many digits of the positions are kept. Single precision resolves 1e-11 m in a domain of
 /// 100 um and halves the file. Fields are always stored in single precision, times in double.
 enum class PositionPrecision { single_precision, double_precision };
@@ -35,6 +44,8 @@ enum class PositionPrecision { single_precision, double_precision };
 ///     /frames/000000/<cloud>/positions        (points, 3)
 ///     /frames/000000/<cloud>/fields/<field>   (points) or (points, 3)
 ///     /topology/<cloud>/000000                (triangles, 3), or (points, 1) for a mere cloud
+///     /cells/000000/<name>/x, y, z            boundaries of the cells, (cells along the axis + 1)
+///     /cells/000000/<name>/fields/<field>     (cells z, y, x) or (cells z, y, x, 3)
 ///
 /// The topology, named after its first frame, is written again only in frames where it differs from
 /// the last written; each cloud's group names it in the attribute "topology". (That of a mere cloud
@@ -53,8 +64,10 @@ class FrameWriter {
   static FrameWriter resume(const std::string& directory, double last_time,
                             PositionPrecision precision = PositionPrecision::single_precision);
 
-  /// Adds the frame at `time` [s], which must be later than the frame before.
-  void add_frame(double time, const std::vector<PointCloud>& clouds);
+  /// Adds the frame at `time` [s], which must be later than the frame before. Clouds and cells must
+  /// have different names.
+  void add_frame(double time, const std::vector<PointCloud>& clouds,
+                 const std::vector<CellFields>& cells = {});
 
   std::size_t frame_count() const { return frames_.size(); }
 
@@ -68,16 +81,19 @@ class FrameWriter {
   struct Frame {
     double time;
     std::vector<std::string> topologies;  ///< datasets that it brought
-    std::string description;              ///< for fields.xdmf
+    bool has_cells;
+    std::string description;  ///< for fields.xdmf
   };
 
   FrameWriter(std::string directory, PositionPrecision precision, std::vector<Frame> frames);
   static std::vector<Frame> stored_frames(const std::string& directory, double last_time);
-  void check_frame(double time, const std::vector<PointCloud>& clouds) const;
+  void check_frame(double time, const std::vector<PointCloud>& clouds,
+                   const std::vector<CellFields>& cells) const;
   void write_cloud(Hdf5File& file, const std::string& frame, const PointCloud& cloud,
                    std::vector<std::string>& topologies);
   std::string stored_topology(Hdf5File& file, const PointCloud& cloud,
                               std::vector<std::string>& topologies);
+  static void write_cells(Hdf5File& file, const std::string& cells, const CellFields& fields);
   void recall_topologies();
   void write_index() const;
   void write_xdmf() const;

@@ -3,6 +3,8 @@
 #include "mpm/hdf5_handle.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -210,12 +212,16 @@ void Hdf5File::write(const std::string& dataset, const std::vector<T>& values) {
 
 template <class T>
 void Hdf5File::write(const std::string& dataset, const std::vector<T>& values,
-                     std::size_t columns) {
-  if (columns == 0 || values.size() % columns != 0)
+                     const std::vector<std::size_t>& item) {
+  const std::size_t size =
+      std::accumulate(item.begin(), item.end(), std::size_t{1}, std::multiplies<>());
+  if (size == 0 || values.size() % size != 0)
     throw Hdf5Error(
         path_, dataset,
-        std::to_string(values.size()) + " values do not fill rows of " + std::to_string(columns));
-  write_dataset(id_, path_, dataset, values.data(), {values.size() / columns, columns});
+        std::to_string(values.size()) + " values do not fill rows of " + std::to_string(size));
+  std::vector<hsize_t> shape{values.size() / size};
+  shape.insert(shape.end(), item.begin(), item.end());
+  write_dataset(id_, path_, dataset, values.data(), shape);
 }
 
 template <class T>
@@ -355,16 +361,20 @@ std::string Hdf5File::close_in_memory() {
 }
 
 template void Hdf5File::write(const std::string&, const std::vector<double>&);
-template void Hdf5File::write(const std::string&, const std::vector<double>&, std::size_t);
+template void Hdf5File::write(const std::string&, const std::vector<double>&,
+                              const std::vector<std::size_t>&);
 template std::vector<double> Hdf5File::read(const std::string&) const;
 template void Hdf5File::write(const std::string&, const std::vector<float>&);
-template void Hdf5File::write(const std::string&, const std::vector<float>&, std::size_t);
+template void Hdf5File::write(const std::string&, const std::vector<float>&,
+                              const std::vector<std::size_t>&);
 template std::vector<float> Hdf5File::read(const std::string&) const;
 template void Hdf5File::write(const std::string&, const std::vector<std::int32_t>&);
-template void Hdf5File::write(const std::string&, const std::vector<std::int32_t>&, std::size_t);
+template void Hdf5File::write(const std::string&, const std::vector<std::int32_t>&,
+                              const std::vector<std::size_t>&);
 template std::vector<std::int32_t> Hdf5File::read(const std::string&) const;
 template void Hdf5File::write(const std::string&, const std::vector<std::int64_t>&);
-template void Hdf5File::write(const std::string&, const std::vector<std::int64_t>&, std::size_t);
+template void Hdf5File::write(const std::string&, const std::vector<std::int64_t>&,
+                              const std::vector<std::size_t>&);
 template std::vector<std::int64_t> Hdf5File::read(const std::string&) const;
 
 template double Hdf5File::read_attribute(const std::string&, const std::string&) const;

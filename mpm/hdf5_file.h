@@ -54,9 +54,11 @@ class Hdf5File {
   /// Write a new one-dimensional dataset; one of that name must not exist.
   template <class T>
   void write(const std::string& dataset, const std::vector<T>& values);
-  /// Write a new two-dimensional dataset of values.size() / columns rows, stored row by row.
+  /// Write a new dataset of more dimensions, as many items of the shape `item` as there are values
+  /// for: triples with {3}, layers of a grid with {rows, columns}. The last index runs fastest.
   template <class T>
-  void write(const std::string& dataset, const std::vector<T>& values, std::size_t columns);
+  void write(const std::string& dataset, const std::vector<T>& values,
+             const std::vector<std::size_t>& item);
 
   /// All values, row by row. Precision is converted to T's; integers are not read as floating point
   /// numbers nor the reverse.

@@ -26,11 +26,18 @@ std::string topology(const Hdf5File& data, const std::string& cloud) {
       type, shape.at(0), shape.at(1), data_item(data, dataset, "Int", 4));
 }
 
-std::string attribute(const Hdf5File& data, const std::string& fields, const std::string& name) {
-  const std::string dataset = fields + "/" + name;
-  const char* kind = data.shape(dataset).size() == 1 ? "Scalar" : "Vector";
-  return fmt::format("<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">{}</Attribute>\n",
-                     name, kind, data_item(data, dataset, "Float", 4));
+/// All fields in a group. A scalar has as many dimensions as its place, a vector one more.
+std::string attributes(const Hdf5File& data, const std::string& fields, const char* center,
+                       std::size_t dimensions) {
+  std::string text;
+  for (const std::string& name : data.children(fields)) {
+    const std::string dataset = fields + "/" + name;
+    const char* kind = data.shape(dataset).size() == dimensions ? "Scalar" : "Vector";
+    text +=
+        fmt::format("<Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
+                    name, kind, center, data_item(data, dataset, "Float", 4));
+  }
+  return text;
 }
 
 std::string cloud_grid(const Hdf5File& data, const std::string& frame, const std::string& name) {
@@ -40,28 +47,44 @@ std::string cloud_grid(const Hdf5File& data, const std::string& frame, const std
   text += topology(data, cloud);
   text += "<Geometry GeometryType=\"XYZ\">" +
           data_item(data, cloud + "/positions", "Float", position_bytes) + "</Geometry>\n";
-  const std::string fields = cloud + "/fields";
-  for (const std::string& field : data.children(fields)) text += attribute(data, fields, field);
-  return text + "</Grid>\n";
+  return text + attributes(data, cloud + "/fields", "Node", 1) + "</Grid>\n";
+}
+
+std::string cells_grid(const Hdf5File& data, const std::string& cells, const std::string& name) {
+  const std::string group = cells + "/" + name;
+  const auto boundaries = [&](const char* axis) { return group + "/" + axis; };
+  const auto count = [&](const char* axis) { return data.shape(boundaries(axis)).at(0); };
+  std::string text = fmt::format(
+      "<Grid Name=\"{}\" GridType=\"Uniform\">\n"
+      "<Topology TopologyType=\"3DRectMesh\" Dimensions=\"{} {} {}\"/>\n"
+      "<Geometry GeometryType=\"VXVYVZ\">",
+      name, count("z"), count("y"), count("x"));
+  for (const char* axis : {"x", "y", "z"}) text += data_item(data, boundaries(axis), "Float", 8);
+  return text + "</Geometry>\n" + attributes(data, group + "/fields", "Cell", 3) + "</Grid>\n";
 }
 
 }  // namespace
 
 std::string frame_file(const std::string& index, const std::string& object) {
-  // /frames/000012/... or /topology/<cloud>/000012
-  const bool is_frame = object.rfind("/frames/", 0) == 0;
-  const std::size_t number = is_frame ? 8 : object.find_last_of('/') + 1;
+  // /frames/000012/..., /cells/000012/... or /topology/<cloud>/000012
+  const bool is_topology = object.rfind("/topology/", 0) == 0;
+  const std::size_t number = (is_topology ? object.find_last_of('/') : object.find('/', 1)) + 1;
   const auto folder = std::filesystem::path(index).parent_path() / "fields";
   return (folder / (object.substr(number, 6) + ".h5")).string();
 }
 
-std::string xdmf_frame(const Hdf5File& data, const std::string& frame) {
+std::string xdmf_frame(const Hdf5File& data, const std::string& number) {
+  const std::string frame = "/frames/" + number;
+  const std::string cells = "/cells/" + number;
   const auto time = data.read_attribute<double>(frame, "time");
   std::string text = fmt::format(
       "<Grid Name=\"bodies\" GridType=\"Collection\" CollectionType=\"Spatial\">\n"
       "<Time Value=\"{}\"/>\n",
       time);
   for (const std::string& cloud : data.children(frame)) text += cloud_grid(data, frame, cloud);
+  if (data.contains(cells)) {
+    for (const std::string& name : data.children(cells)) text += cells_grid(data, cells, name);
+  }
   return text + "</Grid>\n";
 }
 

@@ -129,7 +129,7 @@ void SolverMarch::write_frame() {
   const auto start = Clock::now();
   last_frame_ = solver_.time();
   while (due(next_frame_)) next_frame_ += plan_.fields_interval;
-  frames_->add_frame(solver_.time(), draw(solver_));
+  frames_->add_frame(solver_.time(), draw(solver_), draw_cells(solver_));
   output_seconds_ += seconds_since(start);
 }
 

@@ -18,11 +18,11 @@ TEST_CASE("HDF5 datasets and attributes come back to the last bit", "[hdf5]") {
   const std::vector<double> doubles{0.1, -1e-300, 3.0, 1.0 / 3, 5.5, -0.0};
   {
     Hdf5File file = Hdf5File::create(path);
-    file.write("/a/b/doubles", doubles, 2);
+    file.write("/a/b/doubles", doubles, {2});
     file.write("/a/floats", std::vector<float>{0.1f, 2.0f});
     file.write("/integers", std::vector<std::int32_t>{-7, 2147483647});
     file.write("/long", std::vector<std::int64_t>{std::int64_t{1} << 62});
-    file.write("/nothing", std::vector<double>{}, 3);
+    file.write("/nothing", std::vector<double>{}, {3});
     file.write_attribute("/a", "time", 1e-6 / 3);
     file.write_attribute("/a", "time", 2e-6 / 3);
     file.write_attribute("/a/floats", "steps", std::int64_t{-3});
@@ -88,7 +88,7 @@ TEST_CASE("HDF5 errors name the file, the dataset and the problem", "[hdf5]") {
              Contains("/numbers: does not hold integers"));
   CHECK_THAT(message_of([&] { file.write("/numbers", std::vector<double>{3}); }),
              Contains("/numbers: cannot create the dataset") && Contains("exists"));
-  CHECK_THAT(message_of([&] { file.write("/rows", std::vector<double>{3}, 2); }),
+  CHECK_THAT(message_of([&] { file.write("/rows", std::vector<double>{3}, {2}); }),
              Contains("1 values do not fill rows of 2"));
   CHECK_THAT(message_of([&] { file.read_attribute<double>("/", "name"); }),
              Contains("/@name: is not of the type"));

@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 
 #include "tests/studies/call.h"
@@ -36,10 +35,6 @@ std::string report_of(const std::string& arguments, const fs::path& directory) {
   return page;
 }
 
-bool has_chromium() {
-  return std::system("command -v chromium >/dev/null 2>&1") == 0;
-}
-
 /// What the page is after a few seconds in a browser that is shut off from any network.
 Answer in_browser(const fs::path& page) {
   const std::string command =
@@ -47,14 +42,8 @@ Answer in_browser(const fs::path& page) {
       " --enable-unsafe-swiftshader --host-resolver-rules='MAP * ~NOTFOUND'"
       " --user-data-dir=" +
       (page.parent_path() / "browser").string() +
-      " --enable-logging=stderr --virtual-time-budget=20000 --dump-dom file://" + page.string() +
-      " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Answer answer;
-  for (int c; (c = fgetc(pipe)) != EOF;) answer.text += static_cast<char>(c);
-  answer.code = WEXITSTATUS(pclose(pipe));
-  return answer;
+      " --enable-logging=stderr --virtual-time-budget=20000 --dump-dom file://" + page.string();
+  return run_command(command);
 }
 
 }  // namespace
@@ -71,7 +60,7 @@ TEST_CASE("the report of a piercing has its numbers, charts, pictures and a repl
   for (const char* file : {"failed_area.svg", "failed_area.png", "failed_area.csv", "zona.png"})
     CHECK(fs::file_size(out / "report" / file) > 500);
 
-  if (!has_chromium()) {
+  if (!has_program("chromium")) {
     WARN("there is no Chromium to look at the page with");
     return;
   }
