@@ -1,3 +1,4 @@
+#include "studies/measure_parameters.h"
 #include "studies/piercing_parameters.h"
 #include "studies/shared_parameters.h"
 #include "studies/study_kinds.h"
@@ -24,6 +25,7 @@ Schema make_comparison_schema() {
   declare_pipette_tip(schema, "26441 kg/m^3");
   declare_holding_plate(schema);
   declare_piercing_numerics(schema);
+  declare_piercing_measures(schema);
   declare_piercing_run(schema);
   check_piercing_geometry(schema);
   schema.check([](const Configuration& study, const Complain& complain) {

@@ -111,9 +111,13 @@ void run_round(const Round& round, const Configuration& study, Session& session)
   session.progress.start(label(round), round.fills.front()->end, count);
   for (int f = 0; f < count; ++f) {
     const PiercingCase& fill = *round.fills[f];
-    const PiercingWork work{
-        plan,          checkpoints,      session.directory.file(directory_name(fill.fluid)),
-        round.threads, session.progress, f};
+    const PiercingWork work{study,
+                            plan,
+                            checkpoints,
+                            session.directory.file(directory_name(fill.fluid)),
+                            round.threads,
+                            session.progress,
+                            f};
     std::filesystem::create_directories(work.directory);
     session.directory.log(fmt::format("{}: {}", fill.fluid, piercing_cost(fill).text));
     runs.emplace_back([&fill, work, &entry = results[f], &failure = failures[f]] {

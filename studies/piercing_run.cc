@@ -15,36 +15,41 @@
 #include "studies/decohesion_results.h"
 #include "studies/failure_pattern.h"
 #include "studies/history_file.h"
+#include "studies/measures.h"
 
 namespace zona::studies {
 
 namespace {
 
-const std::vector<Column>& history_columns() {
-  static const std::vector<Column> columns{{"time", "s"},
-                                           {"pipette_x", "m"},
-                                           {"pipette_y", "m"},
-                                           {"pipette_z", "m"},
-                                           {"pipette_vx", "m/s"},
-                                           {"pipette_vy", "m/s"},
-                                           {"pipette_vz", "m/s"},
-                                           {"force_x", "N"},
-                                           {"force_y", "N"},
-                                           {"force_z", "N"},
-                                           {"pipette_work", "J"},
-                                           {"failed_points", ""},
-                                           {"failed_area", "m^2"},
-                                           {"largest_strain", ""},
-                                           {"strain_away", ""},
-                                           {"largest_displacement", "m"},
-                                           {"cytoplasm_pressure_low", "Pa"},
-                                           {"cytoplasm_pressure_high", "Pa"},
-                                           {"mass", "kg"},
-                                           {"momentum_x", "kg m/s"},
-                                           {"momentum_y", "kg m/s"},
-                                           {"momentum_z", "kg m/s"},
-                                           {"kinetic_energy", "J"},
-                                           {"stored_energy", "J"}};
+std::vector<Column> history_columns(const Measures& measures) {
+  std::vector<Column> columns{{"time", "s"},
+                              {"pipette_x", "m"},
+                              {"pipette_y", "m"},
+                              {"pipette_z", "m"},
+                              {"pipette_vx", "m/s"},
+                              {"pipette_vy", "m/s"},
+                              {"pipette_vz", "m/s"},
+                              {"force_x", "N"},
+                              {"force_y", "N"},
+                              {"force_z", "N"},
+                              {"pipette_work", "J"},
+                              {"failed_points", ""},
+                              {"failed_area", "m^2"},
+                              {"largest_strain", ""},
+                              {"strain_away", ""},
+                              {"largest_displacement", "m"},
+                              {"cytoplasm_pressure_low", "Pa"},
+                              {"cytoplasm_pressure_high", "Pa"},
+                              {"mass", "kg"},
+                              {"momentum_x", "kg m/s"},
+                              {"momentum_y", "kg m/s"},
+                              {"momentum_z", "kg m/s"},
+                              {"kinetic_energy", "J"},
+                              {"stored_energy", "J"},
+                              {"plate_force_x", "N"},
+                              {"plate_force_y", "N"},
+                              {"plate_force_z", "N"}};
+  measures.add_columns(columns);
   return columns;
 }
 
@@ -61,10 +66,14 @@ class PiercingRun {
         solver_(build_piercing(piercing.setup), piercing.step, work.threads),
         meter_(solver_.body("zona"), piercing_geometry(piercing.setup).tip),
         checkpoints_(work.directory, work.checkpoints),
-        history_(work.directory / "history.csv", history_columns(), checkpoints_.is_resumed()),
+        measures_(work.study, solver_, piercing_geometry(piercing.setup).egg_center, piercing.end,
+                  work.directory, checkpoints_.is_resumed()),
+        history_(work.directory / "history.csv", history_columns(measures_),
+                 checkpoints_.is_resumed()),
         march_(solver_, piercing.end, work.plan, work.directory, checkpoints_,
-               {[this] { follow_pipette(); }, [this] { sample(); }, [this] { return status(); },
+               {[this] { follow(); }, [this] { sample(); }, [this] { return status(); },
                 [this](mpm::StateVisitor& visitor) { visit_state(visitor); }}) {
+    if (!checkpoints_.is_resumed()) measures_.write_due();
     march_.tell_start(work.progress);
   }
 
@@ -72,10 +81,18 @@ class PiercingRun {
   nlohmann::json results() const;
 
  private:
-  void follow_pipette() {
+  void follow() {
+    measures_.write_due();
     const auto* pipette = solver_.body("pipette").prescribed();
     impulse_work_ += pipette->reaction.dot(pipette->next.velocity) * solver_.step_size();
     largest_force_ = std::max(largest_force_, pipette->reaction.norm());
+  }
+  /// On its surroundings in the last step; zero where there is no plate [N].
+  Eigen::Vector3d plate_force() const {
+    for (const mpm::Body& body : solver_.bodies()) {
+      if (body.name == "plate") return body.prescribed()->reaction;
+    }
+    return Eigen::Vector3d::Zero();
   }
   void sample();
   void visit_state(mpm::StateVisitor& visitor);
@@ -88,6 +105,7 @@ class PiercingRun {
   mpm::Solver solver_;
   DamageMeter meter_;
   Checkpoints checkpoints_;
+  Measures measures_;
   HistoryFile history_;
   ZonaDamage damage_;
   double impulse_work_ = 0;
@@ -109,36 +127,43 @@ void PiercingRun::sample() {
   const auto& d = state.displacement;
   const auto& v = state.velocity;
   const auto& f = pipette->reaction;
-  history_.add({t,
-                d.x(),
-                d.y(),
-                d.z(),
-                v.x(),
-                v.y(),
-                v.z(),
-                f.x(),
-                f.y(),
-                f.z(),
-                impulse_work_,
-                static_cast<double>(damage_.failed_points),
-                damage_.failed_area,
-                damage_.largest_strain,
-                damage_.strain_away,
-                damage_.largest_displacement,
-                pressure.lowest,
-                pressure.highest,
-                sum.mass,
-                sum.momentum.x(),
-                sum.momentum.y(),
-                sum.momentum.z(),
-                sum.kinetic_energy,
-                sum.stored_energy});
+  const Eigen::Vector3d plate = plate_force();
+  std::vector<double> row{t,
+                          d.x(),
+                          d.y(),
+                          d.z(),
+                          v.x(),
+                          v.y(),
+                          v.z(),
+                          f.x(),
+                          f.y(),
+                          f.z(),
+                          impulse_work_,
+                          static_cast<double>(damage_.failed_points),
+                          damage_.failed_area,
+                          damage_.largest_strain,
+                          damage_.strain_away,
+                          damage_.largest_displacement,
+                          pressure.lowest,
+                          pressure.highest,
+                          sum.mass,
+                          sum.momentum.x(),
+                          sum.momentum.y(),
+                          sum.momentum.z(),
+                          sum.kinetic_energy,
+                          sum.stored_energy,
+                          plate.x(),
+                          plate.y(),
+                          plate.z()};
+  measures_.add_values(row);
+  history_.add(row);
 }
 
 void PiercingRun::visit_state(mpm::StateVisitor& visitor) {
   history_.visit_state(visitor);
   meter_.visit_state(visitor);
   damage_.visit_state(visitor);
+  measures_.visit_state(visitor);
   visitor.visit("pipette/impulse_work", impulse_work_);
   visitor.visit("pipette/largest_force", largest_force_);
   visitor.visit("pipette/largest_excursion", largest_excursion_);
@@ -176,6 +201,7 @@ nlohmann::json PiercingRun::results() const {
   r["pipette_work"] = impulse_work_;
   r["time_step"] = case_.step;
   r["critical_time_step"] = case_.critical_step;
+  measures_.add_results(r);
   march_.add_cost(r);
   return r;
 }

@@ -13,6 +13,7 @@ namespace zona::studies {
 
 /// How a piercing runs; it may be one of several that run side by side.
 struct PiercingWork {
+  const Configuration& study;  ///< for [[probe]], [[profile]], [[section]]
   OutputPlan plan;
   CheckpointPlan checkpoints;
   std::filesystem::path directory;  ///< exists; for its files

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "studies/measure_parameters.h"
 #include "studies/piercing_parameters.h"
 #include "studies/piercing_values.h"
 #include "studies/shared_parameters.h"
@@ -94,6 +95,7 @@ Schema make_piercing_schema() {
   declare_holding_plate(schema);
   declare_beam_drive(schema);
   declare_piercing_numerics(schema);
+  declare_piercing_measures(schema);
   declare_piercing_run(schema);
   check_piercing_geometry(schema);
   schema.check(check_trace);

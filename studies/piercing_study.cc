@@ -17,10 +17,11 @@ Job prepare_piercing(const Configuration& study) {
   return [study, piercing](Session& session) {
     session.directory.log(piercing_cost(*piercing).text);
     session.progress.start("piercing", piercing->end);
-    run_piercing(*piercing,
-                 {output_plan(study, simulation_end(study)), checkpoint_plan(study, session.resume),
-                  session.directory.path(), session.threads, session.progress},
-                 session.results);
+    run_piercing(
+        *piercing,
+        {study, output_plan(study, simulation_end(study)), checkpoint_plan(study, session.resume),
+         session.directory.path(), session.threads, session.progress},
+        session.results);
     session.progress.finish();
     const auto& r = session.results;
     const auto& first = r["time_of_first_failure"];

@@ -1,5 +1,6 @@
 #include "studies/keys.h"
 #include "studies/material_parameters.h"
+#include "studies/measure_parameters.h"
 #include "studies/numerics_parameters.h"
 #include "studies/scene_parameters.h"
 

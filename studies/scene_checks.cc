@@ -5,6 +5,7 @@
 
 #include "studies/keys.h"
 #include "studies/material_parameters.h"
+#include "studies/measure_parameters.h"
 #include "studies/scene_parameters.h"
 #include "studies/scene_shape.h"
 #include "studies/shared_parameters.h"
@@ -49,16 +50,6 @@ void check_grid(const Configuration& study, const Complain& complain) {
 
 void check_time(const Configuration& study, const Complain& complain) {
   if (!study.is_auto("time.step")) check_steps("time.step", "time.end", study, complain);
-}
-
-void check_box(const Table& table, const Complain& complain, bool may_be_flat) {
-  if (!table.applies("low")) return;
-  const auto low = table.quantities("low"), high = table.quantities("high");
-  for (int axis = 0; axis < 3; ++axis) {
-    if (low[axis] < high[axis] || (may_be_flat && low[axis] == high[axis])) continue;
-    complain("high", fmt::format("{} = {:g} m is not above low, {:g} m", axis_name[axis],
-                                 high[axis], low[axis]));
-  }
 }
 
 void check_material_fits_shape(const Table& body, const Complain& complain) {
@@ -138,54 +129,6 @@ void check_load(const Table& load, const Complain& complain) {
   }
 }
 
-bool one_of(const std::string& word, const std::vector<std::string>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-bool has_quantity(const Table& body, const std::string& quantity) {
-  const std::string& material = body.choice("material");
-  const std::string law = body.applies("law") ? body.choice("law") : "";
-  if (one_of(quantity, {"position", "displacement", "velocity"})) return true;
-  if (quantity == "strain") return material == "membrane";
-  if (quantity == "damage") return one_of(law, {"elastodamage", "decohesion"});
-  if (quantity == "plastic_strain") return one_of(law, {"von_mises", "decohesion"});
-  return material != "rigid";
-}
-
-void check_probe(const Table& probe, const Complain& complain) {
-  check_box(probe, complain, false);
-  for (const Table& body : probe.study().items("body")) {
-    if (body.name() != probe.text("body")) continue;
-    for (const std::string& quantity : probe.texts("quantities")) {
-      if (has_quantity(body, quantity)) continue;
-      const std::string law = body.applies("law") ? ", law " + body.choice("law") : "";
-      complain("quantities",
-               fmt::format("the points of {} (material {}{}) have no {}; leave it out", body.name(),
-                           body.choice("material"), law, quantity));
-    }
-  }
-}
-
-void check_profile(const Table& profile, const Complain& complain) {
-  check_box(profile, complain, false);
-  const double end = profile.study().quantity("time.end");
-  if (!profile.is_auto("times")) {
-    for (const double time : profile.quantities("times")) {
-      if (time <= end) continue;
-      complain("times", fmt::format("{:g} s is after the end of the run, {:g} s", time, end));
-    }
-  }
-  if (!profile.is_auto("width") && profile.integer("cells") != 1) {
-    complain("cells", "counts only where width = \"auto\"; remove one of them");
-  }
-  if (profile.is_auto("bodies")) return;
-  const auto wanted = profile.texts("bodies");
-  for (const Table& body : profile.study().items("body")) {
-    if (!one_of(body.name(), wanted) || body.choice("material") != "rigid") continue;
-    complain("bodies", fmt::format("{} is rigid: it has no stress to average", body.name()));
-  }
-}
-
 }  // namespace
 
 void check_scene(Schema& schema) {
@@ -202,8 +145,6 @@ void check_scene(Schema& schema) {
   schema.check_each(
       "hold", [](const Table& hold, const Complain& complain) { check_box(hold, complain, true); });
   schema.check_each("load", check_load);
-  schema.check_each("probe", check_probe);
-  schema.check_each("profile", check_profile);
 }
 
 }  // namespace zona::studies

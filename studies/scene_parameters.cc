@@ -1,4 +1,6 @@
 #include "studies/scene_parameters.h"
+
+#include "studies/measure_parameters.h"
 #include "studies/numerics_parameters.h"
 #include "studies/shared_parameters.h"
 
@@ -22,21 +24,6 @@ void declare_faces(Schema& schema) {
 }
 
 }  // namespace
-
-void declare_box(Schema& schema, const std::string& section, const std::string& documentation,
-                 const std::vector<Condition>& conditions) {
-  const double far = std::numeric_limits<double>::infinity();
-  const auto corner = [&](const char* name, double end, const std::string& sentences) {
-    Parameter& parameter = schema.quantities(section + "." + name, "m", {"grid", "grid", "grid"})
-                               .exactly(3)
-                               .in("[-1e6, 1e6]")
-                               .or_named({{"grid", end}})
-                               .doc(sentences);
-    parameter.conditions = conditions;
-  };
-  corner("low", -far, documentation + " Lower corner; \"grid\" reaches as far as the grid does.");
-  corner("high", far, "Upper corner of that box.");
-}
 
 void declare_scene_grid(Schema& schema) {
   schema.section("grid",

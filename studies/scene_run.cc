@@ -6,9 +6,8 @@
 
 #include "mpm/diagnostics.h"
 #include "studies/history_file.h"
+#include "studies/measures.h"
 #include "studies/run_directory.h"
-#include "studies/scene_probe.h"
-#include "studies/scene_profiles.h"
 
 namespace zona::studies {
 
@@ -52,10 +51,9 @@ class SceneRun {
         step_(scene.step),
         gravity_(scene.model.gravity),
         solver_(std::move(scene.model), scene.step.seconds, session.threads),
-        bodies_(solver_),
-        probes_(make_probes()),
         checkpoints_(session.directory.path(), checkpoint_plan(study_, session.resume)),
-        profiles_(study_, solver_, bodies_, session.directory.path(), checkpoints_.is_resumed()),
+        measures_(study_, solver_, Vector3d::Zero(), scene.end, session.directory.path(),
+                  checkpoints_.is_resumed()),
         rigid_(solver_.bodies().size()),
         held_(solver_.held().size()),
         history_(session.directory.file("history.csv"), columns(), checkpoints_.is_resumed()),
@@ -63,7 +61,7 @@ class SceneRun {
                checkpoints_,
                {[this] { follow(); }, [this] { sample(); }, [this] { return status(); },
                 [this](mpm::StateVisitor& visitor) { visit_state(visitor); }}) {
-    if (!checkpoints_.is_resumed()) profiles_.write_due(solver_, bodies_);
+    if (!checkpoints_.is_resumed()) measures_.write_due();
     march_.tell_start(session.progress);
   }
 
@@ -71,7 +69,6 @@ class SceneRun {
   nlohmann::json results() const;
 
  private:
-  std::vector<Probe> make_probes() const;
   std::vector<Column> columns() const;
   void follow();
   void visit_state(mpm::StateVisitor& visitor);
@@ -83,24 +80,14 @@ class SceneRun {
   TimeStep step_;
   Vector3d gravity_;
   mpm::Solver solver_;
-  TrackedBodies bodies_;
-  std::vector<Probe> probes_;
   Checkpoints checkpoints_;
-  SceneProfiles profiles_;
+  Measures measures_;
   std::vector<Effort> rigid_;  ///< per body; of those that move as prescribed
   std::vector<Effort> held_;
   HistoryFile history_;
   double kinetic_energy_ = 0;
   SolverMarch march_;  ///< last, because it samples at once
 };
-
-std::vector<Probe> SceneRun::make_probes() const {
-  std::vector<Probe> probes;
-  for (const Table& table : study_.items("probe")) {
-    probes.emplace_back(table, solver_.grid(), bodies_);
-  }
-  return probes;
-}
 
 std::vector<Column> SceneRun::columns() const {
   std::vector<Column> columns{{"time", "s"}, {"mass", "kg"}};
@@ -120,9 +107,7 @@ std::vector<Column> SceneRun::columns() const {
   for (const Table& hold : study_.items("hold")) {
     add_effort(columns, "hold." + hold.name() + ".");
   }
-  for (const Probe& probe : probes_) {
-    for (Column& column : probe.columns()) columns.push_back(std::move(column));
-  }
+  measures_.add_columns(columns);
   return columns;
 }
 
@@ -137,17 +122,12 @@ void SceneRun::follow() {
     const mpm::HeldNodes& held = solver_.held()[h];
     held_[h].add(held.reaction, held.power, dt);
   }
-  if (!profiles_.is_due(solver_)) return;
-  bodies_.refresh();
-  profiles_.write_due(solver_, bodies_);
+  measures_.write_due();
 }
 
 void SceneRun::visit_state(mpm::StateVisitor& visitor) {
   history_.visit_state(visitor);
-  profiles_.visit_state(visitor);
-  for (std::size_t p = 0; p < probes_.size(); ++p) {
-    probes_[p].visit_state(fmt::format("probes/{}", p), visitor);
-  }
+  measures_.visit_state(visitor);
   for (std::size_t b = 0; b < rigid_.size(); ++b) {
     rigid_[b].visit_state(fmt::format("rigid/{}", b), visitor);
   }
@@ -158,7 +138,6 @@ void SceneRun::visit_state(mpm::StateVisitor& visitor) {
 }
 
 void SceneRun::sample() {
-  bodies_.refresh();
   mpm::BodyTotals sum;
   double potential_energy = 0;
   std::vector<double> parts;
@@ -180,10 +159,7 @@ void SceneRun::sample() {
                           sum.stored_energy, potential_energy};
   row.insert(row.end(), parts.begin(), parts.end());
   for (const Effort& effort : held_) add_effort(row, effort);
-  for (Probe& probe : probes_) {
-    const std::vector<double> values = probe.sample(bodies_);
-    row.insert(row.end(), values.begin(), values.end());
-  }
+  measures_.add_values(row);
   history_.add(row);
 }
 
@@ -214,10 +190,7 @@ nlohmann::json SceneRun::results() const {
     r["holds"][holds[h].name()] = {{"force", {force.x(), force.y(), force.z()}},
                                    {"work", held_[h].work}};
   }
-  const std::vector<Table> tables = study_.items("probe");
-  for (std::size_t p = 0; p < probes_.size(); ++p) {
-    r["probes"][tables[p].name()] = probes_[p].results();
-  }
+  measures_.add_results(r);
   r["time_step"] = step_.seconds;
   r["critical_time_step"] = step_.critical;
   march_.add_cost(r);

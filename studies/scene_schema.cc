@@ -1,3 +1,4 @@
+#include "studies/measure_parameters.h"
 #include "studies/scene_parameters.h"
 #include "studies/study_kinds.h"
 

@@ -79,9 +79,9 @@ mpm::Lattice counted_points(const Table& body, const mpm::BackgroundGrid& grid) 
 
 }  // namespace
 
-mpm::Box box_of(const Table& table, const mpm::BackgroundGrid& grid) {
-  const Vector3d low = vector_of(table.quantities("low"));
-  const Vector3d high = vector_of(table.quantities("high"));
+mpm::Box box_of(const Table& table, const mpm::BackgroundGrid& grid, const Vector3d& origin) {
+  const Vector3d low = origin + vector_of(table.quantities("low"));
+  const Vector3d high = origin + vector_of(table.quantities("high"));
   const auto finite = [](double a, double b) { return std::isfinite(a) ? a : b; };
   return {low.binaryExpr(grid.origin(), finite), high.binaryExpr(grid.upper_corner(), finite)};
 }

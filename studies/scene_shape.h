@@ -11,8 +11,10 @@ namespace zona::studies {
 /// Whether a place [m] lies in a body's shape.
 using Inside = std::function<bool(const Eigen::Vector3d&)>;
 
-/// The box `low` to `high` of a table; corners left to the grid are the grid's.
-mpm::Box box_of(const Table& table, const mpm::BackgroundGrid& grid);
+/// The box `low` to `high` of a table, which count from `origin` [m]; corners left to the grid are
+/// the grid's.
+mpm::Box box_of(const Table& table, const mpm::BackgroundGrid& grid,
+                const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
 /// What a [[body]] encloses: its shape, the ball in an icosphere, nothing of a sheet or disc. Boxes
 /// hold their lower faces and not their upper ones, so that neighbours share no point.

@@ -18,6 +18,7 @@ class TrackedBodies {
   /// After steps, before anything else is asked.
   void refresh();
 
+  std::size_t body_count() const { return solver_->bodies().size(); }
   std::size_t index_of(const std::string& body) const;
   const mpm::Body& body(std::size_t b) const { return solver_->bodies()[b]; }
   int point_count(std::size_t b) const { return static_cast<int>(start_[b].size()); }

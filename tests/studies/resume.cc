@@ -72,6 +72,10 @@ name = "p"
 axis = "z"
 cells = 1
 times = ["10 ms", "50 ms", "100 ms"]
+[[section]]
+name = "s"
+place = "0.5 m"
+times = ["20 ms", "90 ms"]
 [time]
 end = "100 ms"
 courant = 0.05

@@ -10,7 +10,9 @@ namespace zona::studies {
 /// A [[probe]]: a point or a mean, its columns in history.csv and what is kept of them.
 class Probe {
  public:
-  Probe(const Table& table, const mpm::BackgroundGrid& grid, const TrackedBodies& bodies);
+  /// Places in the table count from `origin` [m].
+  Probe(const Table& table, const mpm::BackgroundGrid& grid, const Eigen::Vector3d& origin,
+        const TrackedBodies& bodies);
 
   /// "probe.NAME.stress_xx", ...
   std::vector<Column> columns() const;

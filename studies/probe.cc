@@ -1,4 +1,4 @@
-#include "studies/scene_probe.h"
+#include "studies/probe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,8 @@
 
 namespace zona::studies {
 
-Probe::Probe(const Table& table, const mpm::BackgroundGrid& grid, const TrackedBodies& bodies)
+Probe::Probe(const Table& table, const mpm::BackgroundGrid& grid, const Eigen::Vector3d& origin,
+             const TrackedBodies& bodies)
     : name_(table.name()),
       body_(bodies.index_of(table.text("body"))),
       is_point_(table.choice("kind") == "point") {
@@ -17,10 +18,10 @@ Probe::Probe(const Table& table, const mpm::BackgroundGrid& grid, const TrackedB
   }
   if (is_point_) {
     const std::vector<double> place = table.quantities("place");
-    choose_nearest({place[0], place[1], place[2]}, bodies);
+    choose_nearest(origin + Eigen::Vector3d(place[0], place[1], place[2]), bodies);
     return;
   }
-  box_ = box_of(table, grid);
+  box_ = box_of(table, grid, origin);
   is_current_ = table.choice("membership") == "current";
   for (int id = 0; id < bodies.point_count(body_); ++id) {
     if (box_.contains(bodies.start_of(body_, id))) ids_.push_back(id);
