@@ -7,6 +7,7 @@ namespace zona::studies {
 std::string summary_text(const Configuration& study, const RunOutcome& outcome,
                          const nlohmann::json& results) {
   nlohmann::ordered_json summary;
+  summary["format"] = 1;  // of docs/summary.schema.json
   summary["study"] = study.kind();
   summary["study_file"] = study.file().string();
   summary["status"] = outcome.status;
