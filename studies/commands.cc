@@ -29,7 +29,18 @@ int check_study(const std::filesystem::path& file, const std::vector<std::string
   fmt::print("{} is a valid {} study. Its parameters in SI:\n\n{}", file.string(), study.kind(),
              si_table(study));
   if (kind.estimate) fmt::print("\n{}\n", kind.estimate(study).text);
+  std::cout << std::flush;
+  if (kind.try_here) {
+    const int threads = threads_for(study, 0);
+    omp_set_num_threads(threads);
+    fmt::print("{}", kind.try_here(study, threads));
+  }
   return exit_ok;
+}
+
+int threads_for(const Configuration& study, long wanted) {
+  if (wanted == 0 && study.has("run.threads")) wanted = study.integer("run.threads");
+  return wanted > 0 ? static_cast<int>(wanted) : omp_get_num_procs();
 }
 
 int list_studies() {

@@ -51,7 +51,11 @@ struct ComputeOptions {
 RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunDirectory& directory,
                          const ComputeOptions& options);
 
-/// `zona check`: prints every parameter in SI and the cost estimate.
+/// Threads that a run takes: as wanted, else (0) as the study says, else all.
+int threads_for(const Configuration& study, long wanted);
+
+/// `zona check`: prints every parameter in SI, what the study will cost, and what that means on
+/// this machine, from trying its first steps.
 int check_study(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
 /// `zona report`: writes report.html and the folder report into the directory of a run, and prints

@@ -13,6 +13,7 @@
 #include "studies/piercing_values.h"
 #include "studies/run_directory.h"
 #include "studies/session.h"
+#include "studies/trial.h"
 
 namespace zona::studies {
 
@@ -165,6 +166,21 @@ StudyCost estimate_comparison(const Configuration& study) {
     sum.point_steps += cost.point_steps;
   }
   return sum;
+}
+
+std::string try_comparison(const Configuration& study, int threads) {
+  const std::vector<PiercingCase> cases = make_cases(study);
+  const std::vector<Round> rounds = make_rounds(cases, threads);
+  const auto trial = [&] {
+    const PiercingCase& first = cases.front();
+    Trial one = try_simulation(build_piercing(first.setup), first.step, first.end,
+                               output_plan(study, first.end), rounds.front().threads);
+    one.seconds *= static_cast<double>(rounds.size());
+    one.memory += one.own * static_cast<double>(rounds.front().fills.size() - 1);
+    one.disk *= static_cast<double>(cases.size());
+    return one;
+  };
+  return trial_text(trial, threads);
 }
 
 }  // namespace zona::studies

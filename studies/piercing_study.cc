@@ -8,6 +8,7 @@
 #include "studies/piercing_values.h"
 #include "studies/run_directory.h"
 #include "studies/session.h"
+#include "studies/trial.h"
 
 namespace zona::studies {
 
@@ -39,6 +40,16 @@ Job prepare_piercing(const Configuration& study) {
 StudyCost estimate_piercing(const Configuration& study) {
   return piercing_cost(
       make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
+}
+
+std::string try_piercing(const Configuration& study, int threads) {
+  const PiercingCase piercing =
+      make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid"));
+  const auto trial = [&] {
+    return try_simulation(build_piercing(piercing.setup), piercing.step, piercing.end,
+                          output_plan(study, piercing.end), threads);
+  };
+  return trial_text(trial, threads);
 }
 
 }  // namespace zona::studies

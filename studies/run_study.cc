@@ -21,12 +21,6 @@ namespace zona::studies {
 
 namespace {
 
-int choose_threads(const Configuration& study, const ComputeOptions& options) {
-  long threads = options.threads;
-  if (threads == 0 && study.has("run.threads")) threads = study.integer("run.threads");
-  return threads > 0 ? static_cast<int>(threads) : omp_get_num_procs();
-}
-
 RunDirectory make_directory(const RunOptions& options) {
   return options.out_given ? RunDirectory::named(options.out)
                            : RunDirectory::for_study(options.file);
@@ -92,7 +86,7 @@ int report(const RunOutcome& outcome, const RunDirectory& directory, bool quiet)
 RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunDirectory& directory,
                          const ComputeOptions& options) {
   RunOutcome outcome;
-  outcome.threads = choose_threads(study, options);
+  outcome.threads = threads_for(study, options.threads);
   outcome.started = local_time();
   omp_set_num_threads(outcome.threads);
   const Job job = kind.prepare(study);

@@ -7,6 +7,7 @@
 #include "studies/run_directory.h"
 #include "studies/scene_case.h"
 #include "studies/scene_run.h"
+#include "studies/trial.h"
 
 namespace zona::studies {
 
@@ -45,6 +46,15 @@ Job prepare_scene(const Configuration& study) {
 
 StudyCost estimate_scene(const Configuration& study) {
   return scene_cost(make_scene_case(study));
+}
+
+std::string try_scene(const Configuration& study, int threads) {
+  SceneCase scene = make_scene_case(study);
+  const auto trial = [&] {
+    return try_simulation(std::move(scene.model), scene.step.seconds, scene.end,
+                          output_plan(study, scene.end), threads);
+  };
+  return trial_text(trial, threads);
 }
 
 }  // namespace zona::studies

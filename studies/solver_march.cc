@@ -20,14 +20,13 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Of this process so far [bytes].
+}  // namespace
+
 long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return usage.ru_maxrss * 1024;
 }
-
-}  // namespace
 
 OutputPlan output_plan(const Configuration& study, double end) {
   const auto interval = [&](const char* key, double automatic) {

@@ -25,6 +25,9 @@ struct OutputPlan {
 /// As the [output] table says; "auto" intervals are 1/500 and 1/20 of `end` [s].
 OutputPlan output_plan(const Configuration& study, double end);
 
+/// The most memory that this process has had so far [bytes].
+long peak_memory();
+
 /// Whole steps of `step` that fit into `end` [s].
 long step_count(double end, double step);
 

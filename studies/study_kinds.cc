@@ -16,11 +16,11 @@ const std::vector<StudyKind>& study_kinds() {
   static const Schema scene = make_scene_schema();
   static const Schema material_point = make_material_point_schema();
   static const std::vector<StudyKind> kinds = {
-      {&vibration, prepare_vibration, estimate_vibration},
-      {&piercing, prepare_piercing, estimate_piercing},
-      {&comparison, prepare_comparison, estimate_comparison},
-      {&scene, prepare_scene, estimate_scene},
-      {&material_point, prepare_material_point, estimate_material_point},
+      {&vibration, prepare_vibration, estimate_vibration, try_vibration},
+      {&piercing, prepare_piercing, estimate_piercing, try_piercing},
+      {&comparison, prepare_comparison, estimate_comparison, try_comparison},
+      {&scene, prepare_scene, estimate_scene, try_scene},
+      {&material_point, prepare_material_point, estimate_material_point, {}},
   };
   return kinds;
 }

@@ -25,11 +25,15 @@ struct StudyCost {
 };
 using CostEstimate = std::function<StudyCost(const Configuration&)>;
 
+/// What it will take on this machine with so many threads, from trying a little of it; a text.
+using TryHere = std::function<std::string(const Configuration&, int threads)>;
+
 /// A value of `study = "..."`.
 struct StudyKind {
   const Schema* schema;  ///< its name, summary and keys; lives as long as the program
   Prepare prepare;
   CostEstimate estimate;  ///< empty when there is none
+  TryHere try_here;       ///< empty where a run takes seconds at most
 };
 
 /// All study kinds, in the order in which they are listed.

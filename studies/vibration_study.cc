@@ -1,6 +1,7 @@
 #include "studies/vibration_study.h"
 
 #include <fmt/format.h>
+#include <chrono>
 
 #include <algorithm>
 #include <exception>
@@ -209,6 +210,24 @@ StudyCost estimate_vibration(const Configuration& study) {
   return {fmt::format("{} runs of {} samples with {} beam elements, by {}",
                       vibration_cases(study).size(), beam::sample_count(sampling),
                       study.integer("pipette.elements"), study.choice("time.integrator"))};
+}
+
+std::string try_vibration(const Configuration& study, int threads) {
+  using Clock = std::chrono::steady_clock;
+  const auto cases = vibration_cases(study);
+  const auto begin = Clock::now();
+  fill_pipette(study, cases.front().fluid_density);  // loads deal.II, once
+  const auto start = Clock::now();
+  const FilledPipette pipette = fill_pipette(study, cases.front().fluid_density);
+  const auto filled = Clock::now();
+  compute_case(cases.front(), pipette, sampling_from(study, "time"), study.quantity("pulse.peak"),
+               false);
+  const std::chrono::duration<double> load = start - begin, fill = filled - start,
+                                      one = Clock::now() - filled;
+  const double fills = static_cast<double>(study.quantities("fill.fluids").size());
+  const double all = static_cast<double>(cases.size()) / threads;
+  return fmt::format("Here, from trying one on a thread of {}: about {}\n", threads,
+                     duration_text(load.count() + fills * fill.count() + all * one.count()));
 }
 
 }  // namespace zona::studies

@@ -50,4 +50,7 @@ Job prepare_vibration(const Configuration& study);
 /// The size of the study in one line.
 StudyCost estimate_vibration(const Configuration& study);
 
+/// How long the cases will take here, from trying the first one.
+std::string try_vibration(const Configuration& study, int threads);
+
 }  // namespace zona::studies

@@ -51,6 +51,7 @@ TEST_CASE("wrong usage is exit code 2") {
   CHECK(call("run").code == 2);
   CHECK(call("run no_such_file.toml").code == 2);
   CHECK(call("run --threads 0 " + vibration).code == 2);
+  CHECK_THAT(call("check " + vibration).text, Contains("Here, from trying one"));
   CHECK(call("check --out x " + vibration).code == 2);
 }
 
@@ -65,4 +66,12 @@ TEST_CASE("an invalid study writes nothing") {
   CHECK_THAT(answer.text, Contains("s.toml:3: time.end: 4 has no unit"));
   CHECK_THAT(answer.text, Contains("2 problems"));
   CHECK_FALSE(fs::exists(out));
+}
+
+TEST_CASE("check tries the first steps of a simulation") {
+  const std::string fall = ZONA_SOURCE_DIR "/studies/verification/free_fall.toml";
+  CHECK_THAT(call("check " + fall).text, Contains("of memory") && Contains("on disk"));
+  const Answer thrown = call("check " + fall + " --set 'body.0.velocity=[\"0\", \"0\", \"1e5 m/s\"]'");
+  CHECK(thrown.code == 0);
+  CHECK_THAT(thrown.text, Contains("warning: it fails within its first steps: a point left"));
 }

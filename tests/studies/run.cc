@@ -36,7 +36,7 @@ int run_with(const std::function<void(const Configuration&, Session&)>& runner,
   const Prepare prepare = [&runner](const Configuration& s) -> Job {
     return [&runner, &s](Session& session) { runner(s, session); };
   };
-  return run_configuration(study, {&study.schema(), prepare, nullptr}, options);
+  return run_configuration(study, {&study.schema(), prepare, nullptr, nullptr}, options);
 }
 
 nlohmann::json summary_in(const fs::path& directory) {
@@ -167,7 +167,7 @@ TEST_CASE("a study that is refused while it is prepared writes nothing") {
   RunOptions options;
   options.out = scratch.path() / "run";
   options.out_given = true;
-  CHECK_THROWS_AS(run_configuration(study, {&study.schema(), refuse, nullptr}, options),
+  CHECK_THROWS_AS(run_configuration(study, {&study.schema(), refuse, nullptr, nullptr}, options),
                   InputError);
   CHECK_FALSE(fs::exists(scratch.path() / "run"));
 }
