@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mpm/instruction_set.h"
 #include "studies/resolved_study.h"
 #include "studies/version.h"
 
@@ -32,17 +33,19 @@ std::vector<fs::path> checkpoints_in(const fs::path& directory, const char* exte
   return files;
 }
 
+std::string label(const mpm::CheckpointLabels& labels, const char* name) {
+  const auto found = labels.find(name);
+  return found == labels.end() ? std::string() : found->second;
+}
+
 void check_labels(const fs::path& file, const mpm::CheckpointLabels& labels,
                   const std::string& study) {
-  const auto label = [&](const char* name) {
-    const auto found = labels.find(name);
-    return found == labels.end() ? std::string() : found->second;
-  };
-  if (label("version") != zona_version()) {
+  if (label(labels, "version") != zona_version()) {
     throw mpm::CheckpointError(fmt::format("{}: is of zona {}, this is {}; go on with that version",
-                                           file.string(), label("version"), zona_version()));
+                                           file.string(), label(labels, "version"),
+                                           zona_version()));
   }
-  if (label("study") != study) {
+  if (label(labels, "study") != study) {
     throw mpm::CheckpointError(
         fmt::format("{}: is of another study; go on with the study file "
                     "that the run was started with",
@@ -73,17 +76,24 @@ void Checkpoints::find_start() {
     try {
       whole.emplace(file.string());
     } catch (const std::runtime_error& error) {
-      warning_ += fmt::format("{}{}", warning_.empty() ? "" : "; ", error.what());
+      warning_ += fmt::format("{}{}", warning_.empty() ? "left aside: " : "; ", error.what());
       continue;
     }
     check_labels(file, whole->labels(), plan_.study);
+    const std::string processor = label(whole->labels(), "processor");
+    if (processor != mpm::instruction_set()) {
+      warning_ += fmt::format(
+          "{}stored on a processor with {}, this one has {}: the last bits of "
+          "the results may differ",
+          warning_.empty() ? "" : "; ", processor, mpm::instruction_set());
+    }
     start_ = std::move(whole);
     last_step_ = std::stoll(file.stem().string().substr(prefix.size()));
     return;
   }
   if (!files.empty()) {
     throw mpm::CheckpointError(
-        fmt::format("no checkpoint is whole: {}; delete the directory to start anew", warning_));
+        fmt::format("no checkpoint is whole; {}; delete the directory to start anew", warning_));
   }
 }
 
@@ -94,10 +104,12 @@ bool Checkpoints::is_due(std::int64_t step) const {
   return plan_.interval > 0 && waited.count() >= plan_.interval;
 }
 
-void Checkpoints::store(std::int64_t step, const mpm::VisitState& visit) {
-  if (step == last_step_ && is_resumed()) return;
-  mpm::write_checkpoint((directory_ / fmt::format("{}{:012}.h5", prefix, step)).string(),
-                        {{"version", zona_version()}, {"study", plan_.study}}, visit);
+bool Checkpoints::store(std::int64_t step, const mpm::VisitState& visit) {
+  if (step == last_step_ && is_resumed()) return false;
+  mpm::write_checkpoint(
+      (directory_ / fmt::format("{}{:012}.h5", prefix, step)).string(),
+      {{"version", zona_version()}, {"study", plan_.study}, {"processor", mpm::instruction_set()}},
+      visit);
   last_step_ = step;
   last_time_ = Clock::now();
   const auto files = checkpoints_in(directory_, ".h5");
@@ -105,6 +117,7 @@ void Checkpoints::store(std::int64_t step, const mpm::VisitState& visit) {
   for (std::size_t f = kept; f < files.size(); ++f) fs::remove(files[f], ignored);
   for (const fs::path& unfinished : checkpoints_in(directory_, ".tmp"))
     fs::remove(unfinished, ignored);
+  return true;
 }
 
 void remove_checkpoints(const fs::path& directory) {

@@ -31,11 +31,12 @@ class Checkpoints {
   /// Whether the run starts from a checkpoint: `restore` it.
   bool is_resumed() const { return start_.has_value(); }
   void restore(const mpm::VisitState& visit) const { start_->restore(visit); }
-  /// What the user should know of damaged ones; empty if there is nothing.
+  /// What the user should know of damaged ones, or of another processor; empty if there is nothing.
   const std::string& warning() const { return warning_; }
 
   bool is_due(std::int64_t step) const;
-  void store(std::int64_t step, const mpm::VisitState& visit);
+  /// Whether it stored one: not where the run has just started from it.
+  bool store(std::int64_t step, const mpm::VisitState& visit);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <omp.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cctype>
@@ -108,19 +109,22 @@ void run_round(const Round& round, const Configuration& study, Session& session)
   const int count = static_cast<int>(round.fills.size());
   std::vector<nlohmann::json> results(count);
   std::vector<std::exception_ptr> failures(count);
+  std::vector<std::shared_ptr<spdlog::logger>> logs;
   std::vector<std::thread> runs;
   session.progress.start(label(round), round.fills.front()->end, count);
   for (int f = 0; f < count; ++f) {
     const PiercingCase& fill = *round.fills[f];
+    logs.push_back(session.directory.log_of(fill.fluid));
     const PiercingWork work{study,
                             plan,
                             checkpoints,
                             session.directory.file(directory_name(fill.fluid)),
                             round.threads,
+                            *logs.back(),
                             session.progress,
                             f};
     std::filesystem::create_directories(work.directory);
-    session.directory.log(fmt::format("{}: {}", fill.fluid, piercing_cost(fill).text));
+    logs.back()->info(piercing_cost(fill).text);
     runs.emplace_back([&fill, work, &entry = results[f], &failure = failures[f]] {
       omp_set_num_threads(work.threads);
       try {

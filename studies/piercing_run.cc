@@ -1,6 +1,7 @@
 #include "studies/piercing_run.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <fstream>
@@ -63,6 +64,7 @@ class PiercingRun {
  public:
   PiercingRun(const PiercingCase& piercing, const PiercingWork& work)
       : case_(piercing),
+        log_(work.log),
         solver_(build_piercing(piercing.setup), piercing.step, work.threads),
         meter_(solver_.body("zona"), piercing_geometry(piercing.setup).tip),
         checkpoints_(work.directory, work.checkpoints),
@@ -70,7 +72,7 @@ class PiercingRun {
                   work.directory, checkpoints_.is_resumed()),
         history_(work.directory / "history.csv", history_columns(measures_),
                  checkpoints_.is_resumed()),
-        march_(solver_, piercing.end, work.plan, work.directory, checkpoints_,
+        march_(solver_, piercing.end, work.plan, work.directory, checkpoints_, work.log,
                {[this] { follow(); }, [this] { sample(); }, [this] { return status(); },
                 [this](mpm::StateVisitor& visitor) { visit_state(visitor); }}) {
     if (!checkpoints_.is_resumed()) measures_.write_due();
@@ -102,6 +104,7 @@ class PiercingRun {
   }
 
   const PiercingCase& case_;
+  spdlog::logger& log_;
   mpm::Solver solver_;
   DamageMeter meter_;
   Checkpoints checkpoints_;
@@ -119,7 +122,11 @@ void PiercingRun::sample() {
   const double t = solver_.time();
   const auto* pipette = solver_.body("pipette").prescribed();
   const auto state = pipette->state(std::min(t, case_.end));
+  const bool was_whole = damage_.failed_points == 0;
   damage_ = meter_.measure(solver_.body("zona"));
+  if (was_whole && damage_.failed_points > 0) {
+    log_.info("the zona begins to fail before {:.4g} us", t * 1e6);
+  }
   const auto pressure = mpm::cell_averaged_pressure(solver_.body("cytoplasm"));
   const mpm::BodyTotals sum = totals(solver_.bodies());
   highest_pressure_ = std::max(highest_pressure_, pressure.highest);

@@ -9,6 +9,10 @@
 #include "studies/solver_march.h"
 #include "studies/study_kinds.h"
 
+namespace spdlog {
+class logger;
+}
+
 namespace zona::studies {
 
 /// How a piercing runs; it may be one of several that run side by side.
@@ -18,6 +22,7 @@ struct PiercingWork {
   CheckpointPlan checkpoints;
   std::filesystem::path directory;  ///< exists; for its files
   int threads;
+  spdlog::logger& log;
   Progress& progress;  ///< in a stage that lasts until the end of the piercing
   int part = 0;        ///< of that stage
 };

@@ -1,6 +1,7 @@
 #include "studies/piercing_study.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <memory>
 
@@ -16,12 +17,12 @@ Job prepare_piercing(const Configuration& study) {
   const auto piercing = std::make_shared<PiercingCase>(
       make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
   return [study, piercing](Session& session) {
-    session.directory.log(piercing_cost(*piercing).text);
+    session.directory.log().info(piercing_cost(*piercing).text);
     session.progress.start("piercing", piercing->end);
     run_piercing(
         *piercing,
         {study, output_plan(study, simulation_end(study)), checkpoint_plan(study, session.resume),
-         session.directory.path(), session.threads, session.progress},
+         session.directory.path(), session.threads, session.directory.log(), session.progress},
         session.results);
     session.progress.finish();
     const auto& r = session.results;

@@ -2,8 +2,11 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/spdlog.h>
 
 #include <ctime>
+#include <fstream>
 
 #include "studies/input_error.h"
 
@@ -34,13 +37,24 @@ bool create_new(const fs::path& directory) {
                                                    failure.message()));
 }
 
+std::shared_ptr<spdlog::logger> open_log(const fs::path& directory) {
+  try {
+    const auto sink =
+        std::make_shared<spdlog::sinks::basic_file_sink_mt>((directory / "log.txt").string());
+    auto log = std::make_shared<spdlog::logger>("", sink);
+    log->set_pattern("%Y-%m-%d %H:%M:%S  %-7l  %n%v");
+    log->flush_on(spdlog::level::debug);
+    log->set_error_handler([](const std::string&) {});  // a full disk is noticed by what matters
+    return log;
+  } catch (const spdlog::spdlog_ex&) {
+    throw InputError(directory.string(), "cannot be written; choose another place with --out DIR");
+  }
+}
+
 }  // namespace
 
 RunDirectory::RunDirectory(fs::path path)
-    : path_(std::move(path)), log_(path_ / "log.txt", std::ios::app), lock_(path_ / "log.txt") {
-  if (!log_) {
-    throw InputError(path_.string(), "cannot be written; choose another place with --out DIR");
-  }
+    : path_(std::move(path)), log_(open_log(path_)), lock_(path_ / "log.txt") {
   if (!lock_.is_held()) {
     throw InputError(path_.string(),
                      "is being computed by another process; wait for it, or stop it");
@@ -105,8 +119,8 @@ void RunDirectory::write(const std::string& name, const std::string& text) const
   }
 }
 
-void RunDirectory::log(const std::string& message) {
-  log_ << local_time() << "  " << message << std::endl;
+std::shared_ptr<spdlog::logger> RunDirectory::log_of(const std::string& part) const {
+  return log_->clone(part + ": ");
 }
 
 std::string local_time() {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <string>
 
 #include "studies/file_lock.h"
+
+namespace spdlog {
+class logger;
+}
 
 namespace zona::studies {
 
@@ -34,14 +38,17 @@ class RunDirectory {
   /// Writes a whole file so that readers see the old or the new one, never a part. Throws RunError.
   void write(const std::string& name, const std::string& text) const;
 
-  /// Adds a line with the time to log.txt. Call it from one thread.
-  void log(const std::string& message);
+  /// What is written to log.txt, a line with time and level each: `log().info("{} points", n)`.
+  /// Threads may write side by side.
+  spdlog::logger& log() const { return *log_; }
+  /// A log to the same file whose lines begin with "part: ", e.g. of a fill of a comparison.
+  std::shared_ptr<spdlog::logger> log_of(const std::string& part) const;
 
  private:
   explicit RunDirectory(std::filesystem::path path);
 
   std::filesystem::path path_;
-  std::ofstream log_;
+  std::shared_ptr<spdlog::logger> log_;
   FileLock lock_;  ///< on the log
 };
 

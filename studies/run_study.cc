@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 #include <omp.h>
+#include <spdlog/spdlog.h>
 
 #include <chrono>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "mpm/instruction_set.h"
 #include "studies/checkpoints.h"
 #include "studies/commands.h"
 #include "studies/input_error.h"
@@ -91,9 +93,12 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   omp_set_num_threads(outcome.threads);
   const Job job = kind.prepare(study);
   if (!options.resume) directory.write("study.toml", resolved_study(study));
-  directory.log(fmt::format("zona {} ({}), {} study of {}, {} threads", zona_version(),
-                            compiler_version(), study.kind(), study.file().string(),
-                            outcome.threads));
+  if (study.has("run.log_level")) {
+    directory.log().set_level(spdlog::level::from_str(study.choice("run.log_level")));
+  }
+  directory.log().info("zona {} ({}, {}), {} study of {}, {} threads", zona_version(),
+                       compiler_version(), mpm::instruction_set(), study.kind(),
+                       study.file().string(), outcome.threads);
   nlohmann::json results = nlohmann::json::object();
   {
     Progress progress(Progress::suitable_mode(options.quiet), std::cerr);
@@ -104,8 +109,9 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   directory.write("summary.json", summary_text(study, outcome, results));
   remove_status(directory);
   if (outcome.status == "complete") remove_checkpoints(directory.path());
-  directory.log(outcome.message.empty() ? last_words(outcome)
-                                        : last_words(outcome) + ": " + outcome.message);
+  directory.log().log(
+      outcome.status == "failed" ? spdlog::level::err : spdlog::level::info,
+      last_words(outcome) + (outcome.message.empty() ? "" : ": " + outcome.message));
   return outcome;
 }
 

@@ -58,7 +58,7 @@ class SceneRun {
         held_(solver_.held().size()),
         history_(session.directory.file("history.csv"), columns(), checkpoints_.is_resumed()),
         march_(solver_, scene.end, output_plan(study_, scene.end), session.directory.path(),
-               checkpoints_,
+               checkpoints_, session.directory.log(),
                {[this] { follow(); }, [this] { sample(); }, [this] { return status(); },
                 [this](mpm::StateVisitor& visitor) { visit_state(visitor); }}) {
     if (!checkpoints_.is_resumed()) measures_.write_due();

@@ -1,6 +1,7 @@
 #include "studies/scene_study.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <memory>
 
@@ -34,7 +35,7 @@ std::string probe_table(const nlohmann::json& results) {
 Job prepare_scene(const Configuration& study) {
   const auto scene = std::make_shared<SceneCase>(make_scene_case(study));
   return [scene](Session& session) {
-    session.directory.log(scene_cost(*scene).text);
+    session.directory.log().info(scene_cost(*scene).text);
     run_scene(*scene, session);
     const auto& r = session.results;
     session.conclusion =

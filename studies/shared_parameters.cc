@@ -103,6 +103,11 @@ void check_bore(const std::string& section, const Configuration& study, const Co
 void declare_run(Schema& schema) {
   schema.section("run", "How the program runs. The results do not depend on it.");
   schema.integer("run.threads", 0).in("[0, 4096]").doc("Number of threads; 0 takes all.");
+  schema.choice("run.log_level", {"info", "debug", "warning", "error"})
+      .doc(
+          "What log.txt holds: \"debug\" adds every frame; \"warning\" and \"error\" leave out "
+          "what "
+          "went well.");
   schema.quantity("run.checkpoint_interval", "s", "300 s")
       .in("[0, 1e7]")
       .doc(

@@ -1,6 +1,7 @@
 #include "studies/solver_march.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
 #include <cmath>
@@ -42,8 +43,13 @@ long step_count(double end, double step) {
 
 SolverMarch::SolverMarch(mpm::Solver& solver, double end, const OutputPlan& plan,
                          const std::filesystem::path& directory, Checkpoints& checkpoints,
-                         MarchCalls calls)
-    : solver_(solver), plan_(plan), checkpoints_(checkpoints), calls_(std::move(calls)), end_(end) {
+                         spdlog::logger& log, MarchCalls calls)
+    : solver_(solver),
+      plan_(plan),
+      checkpoints_(checkpoints),
+      log_(log),
+      calls_(std::move(calls)),
+      end_(end) {
   if (checkpoints.is_resumed()) {
     checkpoints.restore([this](mpm::StateVisitor& visitor) { visit_state(visitor); });
     if (plan.fields) frames_ = mpm::FrameWriter::resume(directory.string(), last_frame_);
@@ -70,15 +76,24 @@ void SolverMarch::visit_state(mpm::StateVisitor& visitor) {
 
 void SolverMarch::store() {
   const auto start = Clock::now();
-  checkpoints_.store(solver_.steps(), [this](mpm::StateVisitor& visitor) { visit_state(visitor); });
-  output_seconds_ += seconds_since(start);
+  const bool stored = checkpoints_.store(
+      solver_.steps(), [this](mpm::StateVisitor& visitor) { visit_state(visitor); });
+  const double seconds = seconds_since(start);
+  if (stored) log_.info("checkpoint after step {}, {:.2f} s", solver_.steps(), seconds);
+  output_seconds_ += seconds;
 }
 
 void SolverMarch::tell_start(Progress& progress) const {
-  if (!checkpoints_.warning().empty()) progress.say("left aside: " + checkpoints_.warning());
+  if (!checkpoints_.warning().empty()) {
+    progress.say(checkpoints_.warning());
+    log_.warn(checkpoints_.warning());
+  }
   if (!checkpoints_.is_resumed()) return;
-  progress.say(fmt::format("goes on after {:.4g} us, step {} of {}", solver_.time() * 1e6,
-                           solver_.steps(), step_count(end_, solver_.step_size())));
+  const std::string start =
+      fmt::format("goes on after {:.4g} us, step {} of {}", solver_.time() * 1e6, solver_.steps(),
+                  step_count(end_, solver_.step_size()));
+  progress.say(start);
+  log_.info(start);
 }
 
 void SolverMarch::run(Progress& progress, int part) {
@@ -129,7 +144,10 @@ void SolverMarch::write_frame() {
   last_frame_ = solver_.time();
   while (due(next_frame_)) next_frame_ += plan_.fields_interval;
   frames_->add_frame(solver_.time(), draw(solver_), draw_cells(solver_));
-  output_seconds_ += seconds_since(start);
+  const double seconds = seconds_since(start);
+  log_.debug("frame {} at {:.6g} us, {:.2f} s", frames_->frame_count() - 1, solver_.time() * 1e6,
+             seconds);
+  output_seconds_ += seconds;
 }
 
 void SolverMarch::add_cost(nlohmann::json& results) const {

@@ -13,6 +13,10 @@
 #include "studies/configuration.h"
 #include "studies/progress.h"
 
+namespace spdlog {
+class logger;
+}
+
 namespace zona::studies {
 
 /// When a simulation writes what [s].
@@ -46,7 +50,8 @@ class SolverMarch {
  public:
   /// What is passed and what the calls refer to must outlive the march. Files go to `directory`.
   SolverMarch(mpm::Solver& solver, double end, const OutputPlan& plan,
-              const std::filesystem::path& directory, Checkpoints& checkpoints, MarchCalls calls);
+              const std::filesystem::path& directory, Checkpoints& checkpoints, spdlog::logger& log,
+              MarchCalls calls);
 
   /// Tells the user from where the march goes on, if it does.
   void tell_start(Progress& progress) const;
@@ -74,6 +79,7 @@ class SolverMarch {
   mpm::Solver& solver_;
   OutputPlan plan_;
   Checkpoints& checkpoints_;
+  spdlog::logger& log_;
   MarchCalls calls_;
   double end_;
   std::optional<mpm::FrameWriter> frames_;

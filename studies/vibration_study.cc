@@ -1,6 +1,7 @@
 #include "studies/vibration_study.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <chrono>
 
 #include <algorithm>
@@ -200,7 +201,8 @@ Job prepare_vibration(const Configuration& study) {
     write_amplitudes(session.directory, results);
     if (keep_history) write_history(session.directory, results);
     const std::string table = amplitude_table(results);
-    session.directory.log("greatest tip displacement over peak support displacement\n" + table);
+    session.directory.log().info("greatest tip displacement over peak support displacement\n" +
+                                 table);
     session.conclusion = table;
   };
 }
