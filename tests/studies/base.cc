@@ -22,21 +22,12 @@ const char* const scene =
     "radius = \"0.2 m\"\ndensity = \"1000 kg/m^3\"\nyoungs_modulus = \"1 MPa\"\n"
     "poisson_ratio = 0.3\n";
 
-/// The problems of a study that is based on `base.toml`, file names without directories.
+/// The problems of a study that is based on `base.toml`.
 std::string problems_over(const ScratchDirectory& scratch, const std::string& base,
                           const std::string& text, const std::vector<std::string>& overrides = {}) {
   scratch.write("base.toml", base);
-  try {
-    load_configuration(scratch.write("s.toml", text), overrides);
-    return "";
-  } catch (const InputError& error) {
-    std::string message = error.what();
-    const std::string prefix = scratch.path().string() + "/";
-    for (std::size_t at; (at = message.find(prefix)) != std::string::npos;) {
-      message.erase(at, prefix.size());
-    }
-    return message;
-  }
+  scratch.write("s.toml", text);
+  return problems_in(scratch, "s.toml", overrides);
 }
 
 }  // namespace

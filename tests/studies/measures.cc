@@ -31,25 +31,7 @@ struct Piercing {
 }  // namespace
 
 TEST_CASE("a section holds the means over the cells that a plane cuts") {
-  const Run run(R"toml(
-[grid]
-low = ["1 m", "2 m", "3 m"]
-high = ["1.4 m", "2.6 m", "3.4 m"]
-cell = ["0.1 m", "0.2 m", "0.05 m"]
-[time]
-end = "0.1 ms"
-[[body]]
-name = "water"
-shape = "box"
-low = ["1 m", "2 m", "3 m"]
-high = ["1.3 m", "2.6 m", "3.2 m"]
-material = "liquid"
-density = "1000 kg/m^3"
-pressure = "1e5*(1 + x + 2*y)"
-velocity = ["0.1*x", "y", "-z"]
-p_infinity = "1 MPa"
-grueneisen = 4
-[[section]]
+  const Run run(stretched_water + R"toml([[section]]
 name = "middle"
 normal = "y"
 place = "2.3 m"

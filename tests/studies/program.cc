@@ -71,7 +71,8 @@ TEST_CASE("an invalid study writes nothing") {
 TEST_CASE("check tries the first steps of a simulation") {
   const std::string fall = ZONA_SOURCE_DIR "/studies/verification/free_fall.toml";
   CHECK_THAT(call("check " + fall).text, Contains("of memory") && Contains("on disk"));
-  const Answer thrown = call("check " + fall + " --set 'body.0.velocity=[\"0\", \"0\", \"1e5 m/s\"]'");
+  const Answer thrown =
+      call("check " + fall + " --set 'body.0.velocity=[\"0\", \"0\", \"1e5 m/s\"]'");
   CHECK(thrown.code == 0);
   CHECK_THAT(thrown.text, Contains("warning: it fails within its first steps: a point left"));
 }

@@ -35,6 +35,28 @@ class Run {
   ScratchDirectory scratch_;
 };
 
+/// 3 x 3 x 4 cells of water with a pressure and a velocity that are linear in the place, in a grid
+/// of 4 x 3 x 8 cells of 0.1 m x 0.2 m x 0.05 m.
+inline const std::string stretched_water = R"toml(
+[grid]
+low = ["1 m", "2 m", "3 m"]
+high = ["1.4 m", "2.6 m", "3.4 m"]
+cell = ["0.1 m", "0.2 m", "0.05 m"]
+[time]
+end = "0.1 ms"
+[[body]]
+name = "water"
+shape = "box"
+low = ["1 m", "2 m", "3 m"]
+high = ["1.3 m", "2.6 m", "3.2 m"]
+material = "liquid"
+density = "1000 kg/m^3"
+pressure = "1e5*(1 + x + 2*y)"
+velocity = ["0.1*x", "y", "-z"]
+p_infinity = "1 MPa"
+grueneisen = 4
+)toml";
+
 /// 10 x 6 x 6 cells of 0.1 m with a cube of 8 kg in the middle.
 inline std::string cube_scene(const std::string& rest) {
   return R"toml([grid]

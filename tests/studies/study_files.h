@@ -39,13 +39,11 @@ inline std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The problems that a study text has, one per line, with file names reduced to "s.toml".
-inline std::string problems_of(const std::string& text,
+/// The problems of a study file in a directory, one per line, with names without that directory.
+inline std::string problems_in(const ScratchDirectory& scratch, const std::string& file,
                                const std::vector<std::string>& overrides = {}) {
-  const ScratchDirectory scratch;
-  const std::filesystem::path file = scratch.write("s.toml", text);
   try {
-    load_configuration(file, overrides);
+    load_configuration(scratch.path() / file, overrides);
     return "";
   } catch (const InputError& error) {
     std::string message = error.what();
@@ -55,6 +53,14 @@ inline std::string problems_of(const std::string& text,
     }
     return message;
   }
+}
+
+/// The problems that a study text has, which is called "s.toml".
+inline std::string problems_of(const std::string& text,
+                               const std::vector<std::string>& overrides = {}) {
+  const ScratchDirectory scratch;
+  scratch.write("s.toml", text);
+  return problems_in(scratch, "s.toml", overrides);
 }
 
 }  // namespace zona::studies::testing
