@@ -2,6 +2,7 @@
 # that link Zona must share it, so it is linked publicly and exported.
 add_library(zona_abi INTERFACE)
 target_compile_options(zona_abi INTERFACE -Wno-psabi)
+target_compile_features(zona_abi INTERFACE cxx_std_17)
 # The same for all levels of instructions, whatever Eigen could use.
 target_compile_definitions(zona_abi INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 
