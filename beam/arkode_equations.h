@@ -12,8 +12,10 @@ namespace zona::beam {
 /// Newton matrix I - gamma J solved through one banded factorisation of the beam's own size.
 class ArkodeEquations {
  public:
+  /// A vector in memory of SUNDIALS.
   using View = Eigen::Map<Eigen::VectorXd>;
 
+  /// Keeps references to both. Throws std::invalid_argument if the mass is not positive definite.
   ArkodeEquations(const BeamSystem& system, const SupportMotion& motion);
 
   /// rates = y' at this time.
@@ -25,6 +27,7 @@ class ArkodeEquations {
   /// Jump of the state at a kink of g: v -= M^-1 m velocity_jump.
   void kick(double velocity_jump, View state) const;
 
+  /// The observed point relative to the support in the state y at `time` [s].
   RelativeMotion observed(double time, const View& state);
 
  private:

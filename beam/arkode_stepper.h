@@ -14,12 +14,18 @@ namespace zona::beam {
 /// Keeps references to the system and the motion; SUNDIALS stays out of this header.
 class ArkodeStepper {
  public:
+  /// A beam at rest at t = 0. Throws std::runtime_error if SUNDIALS cannot be set up.
   ArkodeStepper(const BeamSystem& system, const SupportMotion& motion, const Arkode& options);
   ~ArkodeStepper();
 
+  /// @{
+  /// What `march` asks of a stepper: goes from one instant to another [s]; changes the velocity at
+  /// a kink where the support's jumps by `velocity_jump` [m/s]; tells the motion of the observed
+  /// point. Throws std::runtime_error with the time reached when ARKODE gives up.
   void advance(double from, double to);
   void kick(double time, double velocity_jump);
   RelativeMotion observed() const;
+  /// @}
 
   /// Steps taken so far.
   long steps() const;

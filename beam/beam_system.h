@@ -35,14 +35,14 @@ struct BeamSystem {
   double support_share = 1;      ///< r at the observed point
   double element_length = 0;     ///< [m]
 
-  int size() const { return mass.size(); }
+  int size() const { return mass.size(); }  ///< number of degrees of freedom
 };
 
 /// Everything about a beam but its section.
 struct BeamLayout {
-  int elements = 20;
-  Supports supports = Supports::clamped_free;
-  double observed_at = 0;  ///< x of the point whose motion is recorded [m]
+  int elements = 20;                           ///< of equal length
+  Supports supports = Supports::clamped_free;  ///< how the beam is held
+  double observed_at = 0;                      ///< x of the point whose motion is recorded [m]
 };
 
 /// Hermite cubic Euler-Bernoulli elements (5.57) on a uniform mesh; EI and rho_bar at five Gauss

@@ -24,7 +24,7 @@ class ExactCantilever {
   /// 1 <= modes <= 100000.
   ExactCantilever(const UniformBeam& beam, int modes);
 
-  int modes() const { return static_cast<int>(root_.size()); }
+  int modes() const { return static_cast<int>(root_.size()); }  ///< how many the sums take
 
   /// alpha_n L: the n-th positive root of cosh z cos z = -1 (5.70). Modes count from 1.
   double root(int mode) const { return root_.at(mode - 1); }

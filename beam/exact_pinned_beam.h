@@ -15,9 +15,9 @@ enum class SupportStart {
 /// Uniform simply supported beam whose left end moves as g1(t) = A sin(w t) from rest at t = 0
 /// while the right end stays (Figures 5.25 and 5.26).
 struct ExactPinnedBeam {
-  UniformBeam beam;
-  SineMotion support;
-  int modes = 200;
+  UniformBeam beam;    ///< its section
+  SineMotion support;  ///< motion of the left end
+  int modes = 200;     ///< how many the sum takes
 
   /// omega_i = (i pi / l)^2 c [rad/s]; modes count from 1.
   double angular_frequency(int mode) const;

@@ -8,7 +8,7 @@ namespace zona::beam {
 
 /// What fills the bore of the pipette.
 struct Fluid {
-  std::string name;
+  std::string name;    ///< what studies call it
   double density = 0;  ///< [kg/m^3]
 };
 

@@ -6,6 +6,8 @@
 #include "beam/support_motion.h"
 #include "beam/tip_history.h"
 
+/// The pipette as a vibrating beam: sections, support motions, finite elements, integrators in
+/// time, and exact solutions to check them against. Knows nothing of material points.
 namespace zona::beam {
 
 /// Samples at 0, step, 2 step, ... up to the first that reaches the end.
@@ -17,7 +19,7 @@ struct Sampling {
 /// Newmark's method with average acceleration (beta 1/4, gamma 1/2): second order, unconditionally
 /// stable, conserves the energy of an undamped beam. The dissertation's choice, at 0.6 us.
 struct Newmark {
-  int steps_per_sample = 1;
+  int steps_per_sample = 1;  ///< equal steps from sample to sample
 };
 
 /// Modal superposition, exact in time for any support motion here, with or without Rayleigh
@@ -36,13 +38,14 @@ enum class RungeKutta {
 
 /// SUNDIALS ARKODE with adaptive steps that end on the kinks of the support motion.
 struct Arkode {
-  double relative_tolerance = 1e-6;
+  double relative_tolerance = 1e-6;  ///< of every component of the state [-]
   /// Of displacements [m]. Of rotations it is divided by the element length, of velocities by the
   /// time in which the support covers its peak displacement at its peak speed.
   double absolute_tolerance = 1e-11;
-  RungeKutta method = RungeKutta::explicit_8;
+  RungeKutta method = RungeKutta::explicit_8;  ///< family of Runge-Kutta methods
 };
 
+/// How the equations are integrated in time, with its parameters.
 using Integrator = std::variant<Newmark, Modal, Arkode>;
 
 /// Number of samples, that at t = 0 included. Throws std::invalid_argument for a step or an end

@@ -29,9 +29,14 @@ class ModalStepper {
   /// response has no steady part.
   ModalStepper(ModalOscillators modes, const SupportMotion& motion, double sampling_step);
 
+  /// @{
+  /// What `march` asks of a stepper: goes from one instant to another [s]; changes the velocity at
+  /// a kink where the support's jumps by `velocity_jump` [m/s]; tells the motion of the observed
+  /// point.
   void advance(double from, double to);
   void kick(double time, double velocity_jump);
   RelativeMotion observed() const;
+  /// @}
 
  private:
   void find_steady_response(const SineMotion& sine);

@@ -16,6 +16,7 @@ struct NaturalModes {
   Eigen::VectorXd frequency() const;  ///< f = omega / (2 pi) [Hz]
 };
 
+/// All modes of a beam, as many as it has degrees of freedom, from its finite elements.
 NaturalModes natural_modes(const BeamSystem& system);
 
 }  // namespace zona::beam

@@ -17,9 +17,14 @@ class NewmarkStepper {
   /// `step` [s] is the greatest step; a shorter span is cut into equal steps no longer than that.
   NewmarkStepper(const BeamSystem& system, const SupportMotion& motion, double step);
 
+  /// @{
+  /// What `march` asks of a stepper: goes from one instant to another [s]; changes the velocity at
+  /// a kink where the support's jumps by `velocity_jump` [m/s]; tells the motion of the observed
+  /// point.
   void advance(double from, double to);
   void kick(double time, double velocity_jump);
   RelativeMotion observed() const;
+  /// @}
 
   /// (v.M v + q.K q) / 2 of the relative motion [J].
   double energy() const;

@@ -22,6 +22,7 @@ struct UniformBeam {
   double dispersion() const;
 };
 
+/// The same beam for the finite elements.
 Section section_of(const UniformBeam& beam);
 
 }  // namespace zona::beam

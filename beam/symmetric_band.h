@@ -12,9 +12,10 @@ constexpr int kHalfBandwidth = 3;
 class SymmetricBand {
  public:
   SymmetricBand() = default;
+  /// A zero matrix of `size` rows.
   explicit SymmetricBand(int size);
 
-  int size() const { return static_cast<int>(diagonal_[0].size()); }
+  int size() const { return static_cast<int>(diagonal_[0].size()); }  ///< rows
 
   /// Adds to entry (row, column) = (column, row); throws std::out_of_range outside the band.
   void add(int row, int column, double value);
@@ -28,6 +29,7 @@ class SymmetricBand {
   /// this = a A + b B of two matrices of this size, without allocating.
   void combine(double a, const SymmetricBand& A, double b, const SymmetricBand& B);
 
+  /// The same as a full matrix.
   Eigen::MatrixXd dense() const;
 
  private:
@@ -41,6 +43,7 @@ class SymmetricBand {
 class BandFactor {
  public:
   BandFactor() = default;
+  /// See `factorise`.
   explicit BandFactor(const SymmetricBand& matrix) { factorise(matrix); }
 
   /// Allocates only if the size changes. Throws std::invalid_argument, naming the row, if the

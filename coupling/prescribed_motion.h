@@ -25,11 +25,15 @@ struct TrianglePulse {
   double ramp = 0;                                  ///< duration of the smooth start [s]
 };
 
+/// @{
+/// The motion of a rigid body, as a function of time.
+///
 /// The ramp (see `smooth_ramp`) multiplies the displacement; the velocity is the exact derivative
 /// of the product. Throw `std::invalid_argument` if a parameter is not finite, a period or duration
 /// not positive, a ramp negative, an axis zero. The motions throw `std::out_of_range` before t = 0.
 mpm::RigidMotion rigid_motion(const SineMotion& sine);
 mpm::RigidMotion rigid_motion(const TrianglePulse& pulse);
+/// @}
 
 /// The axis as a unit vector; throws `std::invalid_argument` if it has no direction.
 Eigen::Vector3d unit_axis(const Eigen::Vector3d& axis);

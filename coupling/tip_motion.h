@@ -8,6 +8,7 @@
 #include "beam/tip_history.h"
 #include "mpm/rigid_motion.h"
 
+/// From the motion of a pipette's tip, computed or measured, to the motion of a rigid body.
 namespace zona::coupling {
 
 /// Which part of a tip's history drives the pipette, and how.

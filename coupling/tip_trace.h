@@ -14,9 +14,12 @@ namespace zona::coupling {
 /// out) where the problem has no place.
 class TraceError : public std::runtime_error {
  public:
+  /// A line or column of 0 is left out of the text.
   TraceError(const std::string& file, std::size_t line, std::size_t column,
              const std::string& problem);
+  /// From 1; 0 where the problem has no place.
   std::size_t line() const { return line_; }
+  /// In bytes from 1; 0 where the problem has no place.
   std::size_t column() const { return column_; }
 
  private:
@@ -49,6 +52,8 @@ void write_tip_trace_csv(const beam::TipHistory& history, const std::string& pat
 /// Reads the datasets /time, /displacement, ... [SI units] of an HDF5 file, with the same rules.
 /// Throws `TraceError` and `mpm::Hdf5Error`.
 beam::TipHistory read_tip_trace_hdf5(const std::string& path);
+/// Writes all vectors as such datasets, to the last bit. Throws `TraceError` if they differ in
+/// length, `mpm::Hdf5Error` if the file fails.
 void write_tip_trace_hdf5(const beam::TipHistory& history, const std::string& path);
 
 /// Reads either format, told apart by the ending: ".h5" and ".hdf5", or else CSV.

@@ -28,10 +28,10 @@ enum class Interpolation {
 /// A cuboid of up to `edge`^3 cells: what one thread works on at a time. Bricks of one colour share
 /// no node, so threads scatter to the grid without atomics, and every sum is added in one order.
 struct Brick {
-  static constexpr int edge = 4;
-  static constexpr int cell_count = edge * edge * edge;
-  std::array<int, 3> first_cell;  ///< lowest cell indices
-  std::array<int, 3> size;        ///< cells along each axis, at most `edge`
+  static constexpr int edge = 4;                         ///< cells along an edge at most
+  static constexpr int cell_count = edge * edge * edge;  ///< of a full brick
+  std::array<int, 3> first_cell;                         ///< lowest cell indices
+  std::array<int, 3> size;                               ///< cells along each axis, at most `edge`
 };
 
 /// Nodes lighter than this [kg] are not solved (section 3.2).
@@ -55,18 +55,20 @@ class BackgroundGrid {
                  const std::array<int, 3>& cells,
                  Interpolation interpolation = Interpolation::linear);
 
-  const Eigen::Vector3d& origin() const { return origin_; }
-  const Eigen::Vector3d& cell_size() const { return cell_size_; }
-  const std::array<int, 3>& cells() const { return cells_; }
-  Interpolation interpolation() const { return interpolation_; }
-  const std::array<int, 3>& nodes_along() const { return nodes_along_; }
-  Eigen::Vector3d upper_corner() const;
-  double cell_volume() const { return cell_size_.prod(); }
-  const std::array<double, 3>& inverse_cell_size() const { return inverse_cell_size_; }
+  const Eigen::Vector3d& origin() const { return origin_; }               ///< lowest corner [m]
+  const Eigen::Vector3d& cell_size() const { return cell_size_; }         ///< edges of a cell [m]
+  const std::array<int, 3>& cells() const { return cells_; }              ///< along each axis
+  Interpolation interpolation() const { return interpolation_; }          ///< shape functions
+  const std::array<int, 3>& nodes_along() const { return nodes_along_; }  ///< along each axis
+  Eigen::Vector3d upper_corner() const;                                   ///< [m]
+  double cell_volume() const { return cell_size_.prod(); }                ///< [m^3]
+  const std::array<double, 3>& inverse_cell_size() const { return inverse_cell_size_; }  ///< [1/m]
   /// Characteristic length of a cell [m] (4.46).
   double characteristic_length() const { return characteristic_length_; }
+  /// Length of `state` and of `updated`.
   std::size_t node_count() const { return state.size(); }
 
+  /// All bricks, x fastest, then y.
   const std::vector<Brick>& bricks() const { return bricks_; }
   /// Bricks that share no node with one another, for each of the eight colours.
   const std::array<std::vector<int>, 8>& bricks_by_colour() const { return by_colour_; }
@@ -74,14 +76,18 @@ class BackgroundGrid {
   /// The cell that contains a place, or negative indices where the place is outside (or not
   /// finite).
   std::array<int, 3> cell_at(double x, double y, double z) const;
+  /// The brick that holds the cell of these indices.
   int brick_of(const std::array<int, 3>& cell) const;
+  /// Number of a cell within its brick: x fastest, then y, `Brick::edge` along each axis.
   static int cell_in_brick(const std::array<int, 3>& cell);
 
+  /// Where the node of these indices stands in `state` and `updated`: x fastest, then y.
   int node_index(int i, int j, int k) const {
     return (k * nodes_along_[1] + j) * nodes_along_[0] + i;
   }
   /// Place of a node [m]: nodal values that are linear in it are interpolated exactly.
   Eigen::Vector3d node_position(int i, int j, int k) const;
+  /// The same by its place in `state`.
   Eigen::Vector3d node_position(int node) const {
     const int layer = nodes_along_[0] * nodes_along_[1];
     return node_position(node % nodes_along_[0], node % layer / nodes_along_[0], node / layer);

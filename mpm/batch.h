@@ -7,12 +7,13 @@ namespace zona::mpm {
 /// Up to eight points of neighbouring cells of a brick that hold few points each. What is done for
 /// eight points at once then has eight of them; the nodes are visited point by point.
 struct Batch {
-  PointGroup group;
+  PointGroup group;                    ///< the points
   std::array<Lanes, 3> corner;         ///< lowest corner of each point's cell [m]
   std::array<double, 3> inverse;       ///< 1 / cell size [1/m]
   std::array<int, lane_count> node{};  ///< lowest node of each point's cell
   std::array<int, lane_count> cell{};  ///< of the brick
 
+  /// `count` points and the cell, within the brick, of each; `count` is at least 1.
   Batch(const BackgroundGrid& grid, const Brick& brick, const int* points, const int* cells,
         int count)
       : group(points, count), corner{}, inverse(grid.inverse_cell_size()) {
@@ -37,8 +38,10 @@ struct Batch {
 template <class F>
 class Batches {
  public:
+  /// For the cells of brick b.
   Batches(const BackgroundGrid& grid, int b, F f) : grid_(grid), brick_(grid.bricks()[b]), f_(f) {}
 
+  /// Takes the points [begin, end) of a cell of the brick.
   void add(const int* begin, const int* end, int cell) {
     for (; begin < end; ++begin) {
       points_[count_] = *begin;
@@ -46,6 +49,7 @@ class Batches {
       if (count_ == lane_count) flush();
     }
   }
+  /// Calls f for the points that are left; to be called at last.
   void flush() {
     if (count_ > 0) f_(Batch(grid_, brick_, points_, cells_, count_));
     count_ = 0;

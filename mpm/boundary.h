@@ -84,6 +84,7 @@ std::vector<int> touched_nodes(const BackgroundGrid& grid, const CellIndex& cell
 /// it takes [N s].
 Eigen::Vector3d override_velocity(BackgroundGrid& grid, const std::vector<int>& nodes,
                                   const Eigen::Vector3d& velocity, double dt);
+/// The same for the velocities mapped back from the points.
 void override_updated_velocity(BackgroundGrid& grid, const std::vector<int>& nodes,
                                const Eigen::Vector3d& velocity);
 

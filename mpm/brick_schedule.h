@@ -17,9 +17,10 @@ namespace zona::mpm {
 /// one order. A brick waits for these neighbours alone, never for all bricks of a colour.
 class BrickSchedule {
  public:
+  /// Shares the bricks of a grid out evenly.
   BrickSchedule(const BackgroundGrid& grid, int threads);
 
-  int threads() const { return threads_; }
+  int threads() const { return threads_; }  ///< that work
   /// Shares the bricks out by their costs: a thread gets bricks that lie side by side, so that
   /// their points and nodes stay in its caches.
   void share(const std::vector<double>& cost);
@@ -33,7 +34,7 @@ class BrickSchedule {
 
   /// From now on the wall time of each brick is taken in `in_order`, until it is asked for.
   void start_timing();
-  bool is_timing() const { return is_timing_; }
+  bool is_timing() const { return is_timing_; }  ///< between `start_timing` and `stop_timing`
   /// Wall time that each brick took since then [s].
   std::vector<double> stop_timing();
 

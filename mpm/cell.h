@@ -10,7 +10,7 @@ struct Cell {
   std::array<double, 3> corner;   ///< [m]
   std::array<double, 3> inverse;  ///< 1 / cell size [1/m]
   int first_node;                 ///< the lowest of its nodes
-  std::array<int, 3> index;
+  std::array<int, 3> index;       ///< along each axis of the grid
 
   /// Natural coordinates of eight points in [0, 1].
   std::array<Lanes, 3> natural(const std::array<Lanes, 3>& position) const {
@@ -19,6 +19,7 @@ struct Cell {
   }
 };
 
+/// The cell that is number `cell_in_brick` of a brick.
 inline Cell make_cell(const BackgroundGrid& grid, const Brick& brick, int cell_in_brick) {
   constexpr int e = Brick::edge;
   const std::array<int, 3> index{brick.first_cell[0] + cell_in_brick % e,
@@ -44,16 +45,16 @@ void for_each_cell(const BackgroundGrid& grid, int b, const BrickPoints& points,
 
 /// What a group of points brings to the nodes of its cell: a row per quantity, a column per point.
 struct PointLoads {
-  alignas(64) double natural[3][lane_count];
-  alignas(64) double mass[lane_count];
-  alignas(64) double momentum[3][lane_count];
+  alignas(64) double natural[3][lane_count];    ///< coordinates in the cell, 0 to 1 [-]
+  alignas(64) double mass[lane_count];          ///< [kg]
+  alignas(64) double momentum[3][lane_count];   ///< [kg m/s]
   alignas(64) double stress[3][3][lane_count];  ///< -volume sigma_ij / cell size_j [N]
 };
 
 /// One vector of each point of a group for the nodes of its cell, in the same layout.
 struct PointVectors {
-  alignas(64) double natural[3][lane_count];
-  alignas(64) double vector[3][lane_count];
+  alignas(64) double natural[3][lane_count];  ///< coordinates in the cell, 0 to 1 [-]
+  alignas(64) double vector[3][lane_count];   ///< its components
 };
 
 }  // namespace zona::mpm

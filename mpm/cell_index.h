@@ -9,20 +9,23 @@ namespace zona::mpm {
 
 /// A point that is about to leave a cell.
 struct Departure {
-  int point;
-  int cell;  ///< the cell it is listed in, within its brick
+  int point;  ///< its place in the storage
+  int cell;   ///< the cell it is listed in, within its brick
 };
 
 /// The points of one body in one brick, cell by cell; within a cell in ascending order.
 struct BrickPoints {
-  std::vector<int> points;
+  std::vector<int> points;                         ///< places in the storage
   std::array<int, Brick::cell_count + 1> begin{};  ///< where each cell's points start in `points`
   std::vector<Departure> departures;               ///< filled while points move
   std::vector<int> arrivals;                       ///< ascending; of the last `move_departed`
 
-  bool empty() const { return points.empty(); }
+  bool empty() const { return points.empty(); }  ///< no point of the body is in the brick
+  /// @{
+  /// Enters a point into a cell of the brick, or takes it out.
   void insert(int cell, int point);
   void erase(int cell, int point);
+  /// @}
 };
 
 /// Which points of a body lie in which cell. Kept up to date point by point as they cross cells,
@@ -36,9 +39,12 @@ class CellIndex {
   /// brick's first point outside the grid, or -1.
   int move_departed(const BackgroundGrid& grid, const std::array<Field, 3>& position);
 
-  int brick_count() const { return static_cast<int>(bricks_.size()); }
+  int brick_count() const { return static_cast<int>(bricks_.size()); }  ///< as many as the grid has
+  /// @{
+  /// The points in brick b.
   BrickPoints& brick(int b) { return bricks_[b]; }
   const BrickPoints& brick(int b) const { return bricks_[b]; }
+  /// @}
   /// Points in the order of bricks, cells and present storage: the order to store them in.
   std::vector<int> walking_order() const;
   /// After the storage took the walking order.

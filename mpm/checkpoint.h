@@ -32,9 +32,10 @@ void write_checkpoint(const std::string& path, const CheckpointLabels& labels,
 /// written.
 class Checkpoint {
  public:
+  /// Reads the file and holds its hash against its bytes.
   explicit Checkpoint(const std::string& path);
 
-  const CheckpointLabels& labels() const { return labels_; }
+  const CheckpointLabels& labels() const { return labels_; }  ///< as they were written
   /// Gives everything its stored value. Throws `CheckpointError` for what is not stored or has
   /// another size.
   void restore(const VisitState& visit) const;

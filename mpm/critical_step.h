@@ -9,9 +9,9 @@ namespace zona::mpm {
 
 /// The largest stable step and what sets it.
 struct CriticalStep {
-  double seconds;
-  std::string body;
-  std::string reason;
+  double seconds;      ///< [s]; infinite if nothing limits it
+  std::string body;    ///< which sets it
+  std::string reason;  ///< what of the body does, for a message
 };
 
 /// Smallest over all bodies of h / c, where h is the shortest cell edge and c the wave speed, and

@@ -39,8 +39,8 @@ double effective_length(const Eigen::Vector3d& normal, const Eigen::Vector3d& ce
 
 /// Traction on a surface [Pa], or opening of it [m]: along the normal, and along the surface.
 struct SurfaceVector {
-  double normal;
-  double tangential;
+  double normal;      ///< along the normal
+  double tangential;  ///< along the surface
 };
 
 /// A surface that opens.
@@ -48,7 +48,7 @@ struct DecohesionSurface {
   double tensile_strength = 0;    ///< tau_nf [Pa]; 0 where there is no surface
   double reference_traction = 0;  ///< tau_0 [Pa]
 
-  bool present() const { return tensile_strength > 0; }
+  bool present() const { return tensile_strength > 0; }  ///< there is a surface
   /// u_0 tau_0 q/(q + 1) [J/m^2]: what opening it takes, if it is resolved.
   double energy(const Decohesion& model) const {
     return model.reference_opening * reference_traction * model.exponent / (model.exponent + 1);
@@ -61,9 +61,10 @@ DecohesionSurface surface_at(const Decohesion& model, const SurfaceVector& tract
 
 /// m of (5.37) [m], which compression does not open, and tau^e of (5.38) [J/m^2].
 struct DecohesionFlow {
-  SurfaceVector direction;
-  double effective;
+  SurfaceVector direction;  ///< m [m]
+  double effective;         ///< tau^e [J/m^2]
 };
+/// At this traction on a surface [Pa].
 DecohesionFlow decohesion_flow(const Decohesion& model, const DecohesionSurface& surface,
                                const SurfaceVector& traction);
 

@@ -9,6 +9,7 @@ namespace zona::mpm {
 /// Empty where the material knows none.
 template <int Dimensions>
 struct DecohesionFields {
+  /// No surface yet, at any of the points.
   explicit DecohesionFields(int points = 0) {
     for_each([&](Field& field) { field.assign(points, 0.0); });
   }
@@ -19,13 +20,16 @@ struct DecohesionFields {
   Field reference_traction;              ///< tau_0 [Pa]
   Field dissipated;                      ///< by opening [J/m^2]
 
-  bool empty() const { return opened.empty(); }
-  bool failed(int p) const { return !empty() && opened[p] >= 1; }
+  bool empty() const { return opened.empty(); }  ///< the material knows no decohesion
+  bool failed(int p) const { return !empty() && opened[p] >= 1; }  ///< lambda^d has reached 1
+  /// The surface at point p, if it has one.
   DecohesionSurface surface(int p) const { return {tensile_strength[p], reference_traction[p]}; }
+  /// Point p gets its surface; the normal is the caller's.
   void start(int p, const DecohesionSurface& surface) {
     tensile_strength[p] = surface.tensile_strength;
     reference_traction[p] = surface.reference_traction;
   }
+  /// Calls f(Field) for what steps change.
   template <class F>
   void for_each_field(F f) {
     if (!empty()) for_each(f);

@@ -12,9 +12,10 @@ struct BodyTotals {
   double mass = 0;                                     ///< [kg]
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< [kg m/s]
   double kinetic_energy = 0;                           ///< [J]
-  double stored_energy =
-      0;  ///< internal energy gained by a fluid, elastic energy of a solid or membrane [J]
+  /// Internal energy gained by a fluid, elastic energy of a solid or membrane [J].
+  double stored_energy = 0;
 
+  /// Adds each of the sums.
   BodyTotals& operator+=(const BodyTotals& other) {
     mass += other.mass;
     momentum += other.momentum;
@@ -24,7 +25,9 @@ struct BodyTotals {
   }
 };
 
+/// Of one body.
 BodyTotals totals(const Body& body);
+/// Of all bodies, those that move as prescribed included.
 BodyTotals totals(const std::vector<Body>& bodies);
 
 /// Sum of mass times position [kg m], in the order of ids.
@@ -37,10 +40,11 @@ double specific_energy(const Body& body, int p);
 /// Smallest and largest pressure of a fluid averaged over cells, by volume [Pa]. Pressure at single
 /// points is noisy: linear shape functions do not see some of its patterns.
 struct PressureRange {
-  double lowest;
-  double highest;
+  double lowest;   ///< of all cells [Pa]
+  double highest;  ///< of all cells [Pa]
   double scatter;  ///< root mean square, by volume, of the points about their cell's average [Pa]
 };
+/// Over the cells that hold points of the fluid. Throws ModelError for any other material.
 PressureRange cell_averaged_pressure(const Body& fluid_body);
 
 }  // namespace zona::mpm

@@ -7,10 +7,13 @@ struct ElasticModuli {
   double youngs_modulus;  ///< E [Pa]
   double poisson_ratio;   ///< nu [-], above -1 and, but in plane stress, below 0.5
 
+  /// First Lame parameter lambda [Pa].
   double lame_first() const {
     return youngs_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
   }
+  /// Shear modulus G [Pa].
   double shear() const { return youngs_modulus / (2 * (1 + poisson_ratio)); }
+  /// Bulk modulus K [Pa].
   double bulk() const { return youngs_modulus / (3 * (1 - 2 * poisson_ratio)); }
   /// Stiffness against a strain in one direction alone, lambda + 2 G [Pa].
   double constrained() const { return lame_first() + 2 * shear(); }

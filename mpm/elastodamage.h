@@ -9,8 +9,8 @@ namespace zona::mpm {
 /// (5.10) prints 2 c_0, with which the elastic limit given for a failure strain of 0.06 does not
 /// fit.
 struct Elastodamage {
-  double c0 = 10;
-  double c1 = 10;
+  double c0 = 10;                  ///< c_0 [-]
+  double c1 = 10;                  ///< c_1 [-]
   double elastic_limit = 0.05937;  ///< S_L, the principal strain at which damage begins [-]
 
   /// omega of (5.11) at a largest principal strain.

@@ -11,13 +11,16 @@ namespace zona::mpm {
 /// measure is that of the rate form, the logarithmic strain where the principal axes stay.
 template <>
 struct SolidState<Elastodamage> {
+  /// Throws ModelError.
   SolidState(const Elastodamage& law, int points);
 
   SymmetricTensorField effective_stress;  ///< of the undamaged solid [Pa]
   Field strain;                           ///< largest principal strain so far, above S_L only [-]
   Field integrity;                        ///< secant over elastic stiffness; 0 = failed [-]
 
+  /// The effective stress.
   SymmetricTensorField& elastic_stress(SymmetricTensorField&) { return effective_stress; }
+  /// Lets the damage grow; the trial stress times the integrity [Pa].
   SymmetricTensorLanes limit(const PointGroup& group, SymmetricTensorLanes trial,
                              const VelocityGradient&, double, const ElasticProperties& properties,
                              const Elastodamage& law) {
@@ -26,8 +29,9 @@ struct SolidState<Elastodamage> {
     for (auto& component : trial) component *= left;
     return trial;
   }
-  bool failed(int p) const { return integrity[p] == 0; }
+  bool failed(int p) const { return integrity[p] == 0; }  ///< nothing is left of the stiffness
 
+  /// Calls f(Field) for what steps change.
   template <class F>
   void for_each_field(F f) {
     for (auto& component : effective_stress) f(component);

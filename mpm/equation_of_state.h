@@ -10,6 +10,7 @@ struct StiffenedGas {
   double grueneisen;  ///< Gamma [-]
   double p_infinity;  ///< P_inf [Pa]
 
+  /// (4.31), by the ratio gamma of its heat capacities [-].
   static constexpr StiffenedGas ideal_gas(double heat_capacity_ratio) {
     return {heat_capacity_ratio - 1, 0};
   }

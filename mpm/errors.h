@@ -15,6 +15,8 @@ class ModelError : public std::invalid_argument {
 /// A material point that went wrong during a step: it left the grid, or its state lost its meaning.
 class PointError : public std::runtime_error {
  public:
+  /// Puts the text together: what happened to which point (its id) of which body, at which position
+  /// [m], in which step and at which time [s].
   PointError(const std::string& what_happened, const std::string& body, int point,
              const Eigen::Vector3d& position, long step, double time);
 };

@@ -18,31 +18,36 @@ enum class EnergyIncrement {
   mean_pressure  ///< the mean of both ends: a cycle leaves no heat, to second order
 };
 
+/// Constants of a viscous compressible fluid, and the state in which it starts.
 struct FluidProperties {
   double density;              ///< initial [kg/m^3]
   StiffenedGas state;          ///< equation of state
   double pressure = 0;         ///< initial [Pa]
   double shear_viscosity = 0;  ///< mu [Pa s]; the bulk viscosity is -2 mu / 3 (Stokes)
-  ArtificialViscosity artificial_viscosity;
-  EnergyIncrement energy_increment = EnergyIncrement::end_pressure;
+  ArtificialViscosity artificial_viscosity;                          ///< (4.45)
+  EnergyIncrement energy_increment = EnergyIncrement::end_pressure;  ///< of (4.40)
 };
 
 /// A viscous compressible fluid (4.28) with internal energy.
 struct Fluid {
+  /// Its points bring internal forces.
   static constexpr bool has_stress = true;
 
+  /// All points in the initial state. Throws ModelError.
   Fluid(const FluidProperties& properties, int points);
 
-  FluidProperties properties;
+  FluidProperties properties;   ///< constants of all points
   double initial_energy;        ///< specific internal energy all points start with [J/kg]
   Field density;                ///< [kg/m^3]
   Field internal_energy;        ///< specific [J/kg]
   SymmetricTensorField stress;  ///< Cauchy [Pa]
 
+  /// Speed of sound in the initial state [m/s].
   double wave_speed() const {
     return properties.state.sound_speed(properties.pressure, properties.density);
   }
-  double shear_wave_speed() const { return 0; }
+  double shear_wave_speed() const { return 0; }  ///< there is no such wave [m/s]
+  /// Present volume [m^3] of a group of this mass [kg].
   Lanes volume(const PointGroup& group, const Lanes& mass) const {
     return mass / group.load(density);
   }
@@ -51,6 +56,7 @@ struct Fluid {
   LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt,
                   double length);
 
+  /// Calls f(Field) for what steps change.
   template <class F>
   void for_each_field(F f) {
     f(density);

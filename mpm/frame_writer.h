@@ -69,6 +69,7 @@ class FrameWriter {
   void add_frame(double time, const std::vector<PointCloud>& clouds,
                  const std::vector<CellFields>& cells = {});
 
+  /// Frames written so far, those that `resume` kept included.
   std::size_t frame_count() const { return frames_.size(); }
 
  private:

@@ -21,6 +21,8 @@ inline void note_departures(const PointGroup& group, const std::array<Lanes, 3>&
 
 /// Velocities and positions at k+1 of a group of points, from the grid (3.34)-(3.37).
 struct FreeMotion {
+  /// Sets `velocity` [m/s] at k+1 of a group, and its `position` [m], which was the last, from the
+  /// grid's `field` at the natural coordinates.
   template <class Material, class CellField>
   void operator()(Material&, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
@@ -36,8 +38,9 @@ struct FreeMotion {
 /// (3.37). Momentum is the same, motion that the grid does not see dies out, and so does rotation
 /// within a cell.
 struct BlendedMotion {
-  double pic;
+  double pic;  ///< fraction of PIC, 0 to 1
 
+  /// As FreeMotion.
   template <class Material, class CellField>
   void operator()(Material& material, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
@@ -52,9 +55,10 @@ struct BlendedMotion {
 /// The prescribed motion of a rigid body; its points' momentum that has to be supplied to keep it
 /// is added to `impulse` [N s].
 struct PrescribedMotion {
-  BlendedMotion unhindered;
-  Eigen::Vector3d& impulse;
+  BlendedMotion unhindered;  ///< what the points would do by themselves
+  Eigen::Vector3d& impulse;  ///< supplied to the points [N s]
 
+  /// As FreeMotion.
   template <class CellField>
   void operator()(const Prescribed& material, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,

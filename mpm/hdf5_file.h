@@ -12,7 +12,9 @@ namespace zona::mpm {
 /// What went wrong in an HDF5 file; `what()` reads "file: object: problem (HDF5's own reason)".
 class Hdf5Error : public std::runtime_error {
  public:
+  /// `object` is empty for the file itself.
   Hdf5Error(const std::string& file, const std::string& object, const std::string& problem);
+  /// Path of the file.
   const std::string& file() const { return file_; }
   /// The dataset, group or attribute concerned; empty when it is the file itself.
   const std::string& object() const { return object_; }
@@ -44,8 +46,11 @@ class Hdf5File {
   /// An existing file, for reading and writing.
   static Hdf5File append(const std::string& path);
 
+  /// @{
+  /// The other stands for no file afterwards.
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File& operator=(Hdf5File&& other) noexcept;
+  /// @}
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
   /// Closes the file and ignores failures; call `close` to hear of them.
@@ -67,22 +72,26 @@ class Hdf5File {
   /// The lengths of a dataset along its dimensions.
   std::vector<std::size_t> shape(const std::string& dataset) const;
 
+  /// @{
   /// Write an attribute of a group or dataset, replacing one of that name.
   void write_attribute(const std::string& object, const std::string& name, double value);
   void write_attribute(const std::string& object, const std::string& name, std::int64_t value);
   void write_attribute(const std::string& object, const std::string& name,
                        const std::string& value);
+  /// @}
+  /// Value of an attribute, of the type that was written.
   template <class T>
   T read_attribute(const std::string& object, const std::string& name) const;
   /// Names of the attributes of an object, in alphabetical order.
   std::vector<std::string> attributes(const std::string& object) const;
+  /// Whether an object has an attribute of that name.
   bool has_attribute(const std::string& object, const std::string& name) const;
 
-  void create_group(const std::string& group);
+  void create_group(const std::string& group);  ///< an empty one
   /// Lets `object` stand for the object of that path in another file, whose path is relative to
   /// this file's folder. That file need not exist before the object is asked for.
   void link(const std::string& object, const std::string& file);
-  bool contains(const std::string& object) const;
+  bool contains(const std::string& object) const;  ///< whether there is such a dataset or group
   /// Names (not paths) of what a group holds, in alphabetical order.
   std::vector<std::string> children(const std::string& group) const;
   /// Remove a dataset, or a group and all it holds. The space in the file is not reclaimed.
@@ -90,11 +99,11 @@ class Hdf5File {
 
   /// Hand everything written so far to the operating system.
   void flush();
-  void close();
+  void close();  ///< for good; hears of failures
   /// Closes a file created in memory. Returns what it would have on a disk.
   std::string close_in_memory();
 
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return path_; }  ///< as it was opened
 
  private:
   using Turn = std::unique_lock<std::recursive_mutex>;

@@ -13,7 +13,7 @@ namespace zona::mpm {
 /// Four doubles: the updated momentum of a node.
 using HalfLanes = double __attribute__((vector_size(32)));
 
-inline constexpr int lane_count = 8;
+inline constexpr int lane_count = 8;  ///< numbers computed together
 
 // What Lanes and LaneMask are made of: one register of AVX-512, or else two halves. They are
 // classes on all processors so that the names of functions do not depend on it.
@@ -24,6 +24,7 @@ using WholeLanes = double __attribute__((vector_size(64)));
 /// What a comparison of Lanes gives: -1 where true, 0 where false.
 class LaneMask {
  public:
+  /// Four of the eight.
   using Half = long long __attribute__((vector_size(32)));
 #ifdef __AVX512F__
   using Whole = long long __attribute__((vector_size(64)));
@@ -44,11 +45,16 @@ class LaneMask {
 
   Whole whole;
 #else
+  /// All false.
   LaneMask() : low{}, high{} {}
+  /// The first and the last four lanes.
   LaneMask(const Half& l, const Half& h) : low(l), high(h) {}
+  /// Lane l: -1 or 0.
   long long operator[](int l) const {
     return l < 4 ? low[l] : high[l - 4];
   }
+  /// @{
+  /// Lane by lane.
   friend LaneMask operator&(const LaneMask& a, const LaneMask& b) {
     return {a.low & b.low, a.high & b.high};
   }
@@ -58,9 +64,12 @@ class LaneMask {
   LaneMask operator~() const {
     return {~low, ~high};
   }
+  /// @}
 
-  Half low, high;
+  Half low;   ///< the first four lanes
+  Half high;  ///< the last four lanes
 #endif
+  /// Lane by lane.
   LaneMask& operator|=(const LaneMask& other) {
     return *this = *this | other;
   }
@@ -82,21 +91,28 @@ class alignas(64) Lanes {
 
   WholeLanes whole;
 #else
+  /// @{
+  /// One number in all lanes, eight numbers, or two halves.
   constexpr Lanes(double s) : low{s, s, s, s}, high{s, s, s, s} {}
   constexpr Lanes(double a, double b, double c, double d, double e, double f, double g, double h)
       : low{a, b, c, d}, high{e, f, g, h} {}
   Lanes(const HalfLanes& l, const HalfLanes& h) : low(l), high(h) {}
+  /// @}
+  /// Lane l.
   double operator[](int l) const {
     return l < 4 ? low[l] : high[l - 4];
   }
 
-  HalfLanes low, high;
+  HalfLanes low;   ///< the first four lanes
+  HalfLanes high;  ///< the last four lanes
 #endif
   /// For lanes in memory; in registers it is slow.
   double& operator[](int l) {
     return reinterpret_cast<double*>(this)[l];
   }
 
+  /// @{
+  /// Lane by lane.
   Lanes operator-() const {
     return 0.0 - *this;
   }
@@ -118,6 +134,7 @@ class alignas(64) Lanes {
   Lanes& operator*=(const Lanes& b) {
     return *this = *this * b;
   }
+  /// @}
 };
 
 #ifdef __AVX512F__
@@ -125,6 +142,8 @@ class alignas(64) Lanes {
 #else
 #define ZONA_LANES(type, operation) return type(a.low operation b.low, a.high operation b.high)
 #endif
+/// @{
+/// Lane by lane.
 inline Lanes operator+(const Lanes& a, const Lanes& b) {
   ZONA_LANES(Lanes, +);
 }
@@ -152,12 +171,15 @@ inline LaneMask operator>=(const Lanes& a, const Lanes& b) {
 inline LaneMask operator==(const Lanes& a, const Lanes& b) {
   ZONA_LANES(LaneMask, ==);
 }
+/// @}
 #undef ZONA_LANES
 
+/// One number in all lanes.
 inline Lanes broadcast(double value) {
   return Lanes(value);
 }
 
+/// @{
 /// The first or last four lanes, and eight of two times four.
 inline HalfLanes low_half(const Lanes& a) {
 #ifdef __AVX512F__
@@ -180,7 +202,9 @@ inline Lanes join(const HalfLanes& low, const HalfLanes& high) {
   return {low, high};
 #endif
 }
+/// @}
 
+/// Eight consecutive numbers, at any address.
 inline Lanes load(const double* source) {
 #ifdef __AVX512F__
   WholeLanes lanes;
@@ -194,6 +218,7 @@ inline Lanes load(const double* source) {
 #endif
 }
 
+/// Stores all lanes, at any address.
 inline void store(double* target, const Lanes& lanes) {
 #ifdef __AVX512F__
   __builtin_memcpy(target, &lanes.whole, sizeof(lanes.whole));
@@ -214,6 +239,7 @@ inline Lanes load_first(const double* source, int count) {
 #endif
 }
 
+/// Stores the first `count` lanes; `count` is at least 1.
 inline void store_first(double* target, const Lanes& lanes, int count) {
 #ifdef __AVX512F__
   _mm512_mask_storeu_pd(target, static_cast<__mmask8>((1u << count) - 1), lanes.whole);
@@ -235,10 +261,12 @@ inline Lanes each_lane(F f) {
   return {f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)};
 }
 
+/// Square root, of a number as of its lanes: laws are templates on either.
 inline double square_root(double a) {
   return std::sqrt(a);
 }
 
+/// Square root of each lane.
 inline Lanes square_root(const Lanes& a) {
   return each_lane([&](int l) { return std::sqrt(a[l]); });
 }
@@ -252,14 +280,17 @@ inline Lanes select(const LaneMask& mask, const Lanes& a, const Lanes& b) {
 #endif
 }
 
+/// The same for numbers.
 inline double select(bool condition, double a, double b) {
   return condition ? a : b;
 }
 
+/// The larger of two, lane by lane.
 inline Lanes larger(const Lanes& a, const Lanes& b) {
   return select(a > b, a, b);
 }
 
+/// The same for numbers.
 inline double larger(double a, double b) {
   return a > b ? a : b;
 }
@@ -320,15 +351,23 @@ inline void transpose(Lanes (&rows)[8]) {
 /// Allocates at cache-line boundaries.
 template <class T>
 struct AlignedAllocator {
+  /// What is allocated.
   using value_type = T;
-  static constexpr std::align_val_t alignment{64};
+  static constexpr std::align_val_t alignment{64};  ///< of a cache line [bytes]
   AlignedAllocator() = default;
+  /// Of another type: there is no state to take over.
   template <class U>
   AlignedAllocator(const AlignedAllocator<U>&) {}
+  /// @{
+  /// Room for n elements, and its return.
   T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
   void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+  /// @}
+  /// @{
+  /// All allocators are alike.
   bool operator==(const AlignedAllocator&) const { return true; }
   bool operator!=(const AlignedAllocator&) const { return false; }
+  /// @}
 };
 
 /// One quantity of every point of a body.

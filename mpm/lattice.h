@@ -11,14 +11,15 @@ namespace zona::mpm {
 
 /// Places of points and the volume [m^3] that each stands for.
 struct Lattice {
-  std::vector<Eigen::Vector3d> places;
-  std::vector<double> volumes;
+  std::vector<Eigen::Vector3d> places;  ///< [m]
+  std::vector<double> volumes;          ///< [m^3], one of each place
 
+  /// One point more.
   void add(const Eigen::Vector3d& place, double volume) {
     places.push_back(place);
     volumes.push_back(volume);
   }
-  double volume() const;
+  double volume() const;  ///< of all points [m^3]
 };
 
 /// A regular lattice of `per_cell` points along each axis in every cell of the grid, as far as
@@ -30,6 +31,7 @@ Lattice fill_cells(const BackgroundGrid& grid, const std::array<int, 3>& per_cel
 Lattice box(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
             const std::array<int, 3>& count);
 
+/// A straight tube: a hollow cylinder.
 struct Tube {
   Eigen::Vector3d end;   ///< centre of the end that the axis starts from [m]
   Eigen::Vector3d axis;  ///< unit vector from that end into the tube
@@ -43,8 +45,8 @@ Lattice tube(const Tube& tube, int radial, int circumferential, int axial);
 
 /// A triangulated surface; triangles by the right-hand rule, normals outward (or along +z).
 struct TriangulatedSurface {
-  std::vector<Eigen::Vector3d> places;
-  std::vector<Triangle> triangles;
+  std::vector<Eigen::Vector3d> places;  ///< of the vertices [m]
+  std::vector<Triangle> triangles;      ///< indices of places
 };
 
 /// The icosahedron with each triangle split into four `level` times: 10 4^level + 2 points on the

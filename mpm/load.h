@@ -12,16 +12,17 @@ namespace zona::mpm {
 /// A force [N] on those points of a body that lie in `region` at the start, shared by mass. The
 /// same points carry it wherever they move.
 struct BodyForce {
-  std::string body;
-  Box region;
+  std::string body;  ///< its name
+  Box region;        ///< of the points at the start [m]
+  /// Total on all these points [N], of time [s].
   std::function<Eigen::Vector3d(double time)> force;
 };
 
 /// A pressure [Pa] on the intact triangles of a membrane, along their present normals: positive
 /// outwards. A third of a triangle's force goes to each of its vertices.
 struct SurfacePressure {
-  std::string body;
-  std::function<double(double time)> pressure;
+  std::string body;                             ///< name of a membrane
+  std::function<double(double time)> pressure;  ///< [Pa], of time [s]
 };
 
 /// The loads of a model. They act on points and reach the nodes through the shape functions, which
@@ -33,7 +34,7 @@ class Loads {
   Loads(const std::vector<BodyForce>& forces, const std::vector<SurfacePressure>& pressures,
         const std::vector<Body>& bodies);
 
-  bool empty() const { return forces_.empty() && pressures_.empty(); }
+  bool empty() const { return forces_.empty() && pressures_.empty(); }  ///< nothing acts
   /// Takes the loads at `time` [s], to be added by the calls of `add_brick` that follow.
   void evaluate(double time);
   /// Adds the forces on the points of one brick to the force of its nodes [N].

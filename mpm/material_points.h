@@ -19,18 +19,21 @@ struct MaterialPoints {
   std::array<Field, 3> last_position;  ///< at the start of the running step [m]
   std::array<Field, 3> velocity;       ///< [m/s]
   Field mass;                          ///< [kg]
-  std::vector<int>
-      id;  ///< the number a point had when it was made; storage is re-ordered, ids stay
+  /// The number a point had when it was made: storage is re-ordered, ids stay.
+  std::vector<int> id;
 
-  int size() const { return static_cast<int>(mass.size()); }
+  int size() const { return static_cast<int>(mass.size()); }  ///< number of points
+  /// Of the point stored at p [m].
   Eigen::Vector3d position_of(int p) const {
     return {position[0][p], position[1][p], position[2][p]};
   }
+  /// Of the point stored at p [m/s].
   Eigen::Vector3d velocity_of(int p) const {
     return {velocity[0][p], velocity[1][p], velocity[2][p]};
   }
   /// Where each point is stored, by id.
   std::vector<int> storage_by_id() const;
+  /// Calls f(Field) for what steps change, and the mass.
   template <class F>
   void for_each_field(F f) {
     for (auto* group : {&position, &last_position, &velocity}) {
@@ -49,6 +52,7 @@ MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places,
 /// whatever is computed in them is finite; they are never stored.
 class PointGroup {
  public:
+  /// `count` points, 1 to 8, by their places in the storage.
   PointGroup(const int* points, int count) : count_(count) {
     contiguous_ = true;
     for (int l = 0; l < lane_count; ++l) {
@@ -61,9 +65,10 @@ class PointGroup {
     for (int l = 0; l < lane_count; ++l) point_[l] = first + l;
   }
 
-  int count() const { return count_; }
-  int operator[](int lane) const { return point_[lane]; }
+  int count() const { return count_; }                     ///< points, spare lanes not counted
+  int operator[](int lane) const { return point_[lane]; }  ///< where the point of a lane is stored
 
+  /// The values of the points.
   Lanes load(const Field& field) const {
     if (contiguous_) {
       const double* source = field.data() + point_[0];
@@ -72,6 +77,7 @@ class PointGroup {
     }
     return each_lane([&](int l) { return field[point_[l]]; });
   }
+  /// Stores the points' values; those of spare lanes are dropped.
   void store(Field& field, const Lanes& lanes) const {
     if (contiguous_) {
       double* target = field.data() + point_[0];
@@ -80,13 +86,16 @@ class PointGroup {
     }
     for (int l = 0; l < count_; ++l) field[point_[l]] = lanes[l];
   }
+  /// The same for the components of a vector.
   std::array<Lanes, 3> load(const std::array<Field, 3>& field) const {
     return {load(field[0]), load(field[1]), load(field[2])};
   }
+  /// The same for the components of a symmetric tensor.
   SymmetricTensorLanes load(const SymmetricTensorField& field) const {
     return {load(field[0]), load(field[1]), load(field[2]),
             load(field[3]), load(field[4]), load(field[5])};
   }
+  /// The same for the components of a vector or tensor.
   template <std::size_t N>
   void store(std::array<Field, N>& field, const std::array<Lanes, N>& lanes) const {
     for (std::size_t c = 0; c < N; ++c) store(field[c], lanes[c]);

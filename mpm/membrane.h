@@ -11,6 +11,7 @@ using MembraneLaw = std::variant<Elastic, IncrementalElastic, Elastodamage, VonM
 /// one-way law and a law of failure (5.3). Failed points keep their mass, lose their stress, and
 /// their triangles leave the normals. Its points are never re-ordered: triangles name them.
 struct Membrane {
+  /// Its points bring internal forces.
   static constexpr bool has_stress = true;
 
   /// `objective` chooses DeformationGradientKinematics, else SummedStrainKinematics. Throws
@@ -18,23 +19,26 @@ struct Membrane {
   Membrane(const MembraneProperties& properties, const MembraneLaw& law, bool objective,
            const MaterialPoints& points, std::vector<Triangle> triangles);
 
+  /// What the law keeps of each point.
   using State = std::variant<MembraneState<Elastic>, MembraneState<IncrementalElastic>,
                              MembraneState<Elastodamage>, MembraneState<VonMises>>;
 
-  MembraneProperties properties;
-  Surface surface;
-  MembraneKinematics kinematics;
-  State state;
-  MembraneIntegrity integrity;
-  SymmetricTensorField stress;  ///< Cauchy, fixed axes [Pa]
-  Field strain;                 ///< largest principal in-plane strain [-]
-  Field energy_density;         ///< sigma : elastic strain / 2 [J/m^3]
-  Field reference_area;         ///< of the intact, undeformed membrane [m^2]
-  int failed_points = 0;
+  MembraneProperties properties;  ///< constants of all points
+  Surface surface;                ///< its triangles
+  MembraneKinematics kinematics;  ///< strains and local frames of the points
+  State state;                    ///< of the law
+  MembraneIntegrity integrity;    ///< what is left of each point
+  SymmetricTensorField stress;    ///< Cauchy, fixed axes [Pa]
+  Field strain;                   ///< largest principal in-plane strain [-]
+  Field energy_density;           ///< sigma : elastic strain / 2 [J/m^3]
+  Field reference_area;           ///< of the intact, undeformed membrane [m^2]
+  int failed_points = 0;          ///< so far
 
-  bool failed(int p) const { return integrity.failed(p); }
+  bool failed(int p) const { return integrity.failed(p); }  ///< nothing is left of point p
+  /// In its plane, sqrt(E / (1 - nu^2) / density) [m/s].
   double wave_speed() const;
-  double shear_wave_speed() const { return 0; }
+  double shear_wave_speed() const { return 0; }  ///< absorbing faces see none [m/s]
+  /// Volume [m^3] of a group of this mass [kg]; it does not change.
   Lanes volume(const PointGroup&, const Lanes& mass) const {
     return mass * (1 / properties.density);
   }

@@ -20,6 +20,7 @@ struct LocalStrain {
 /// objective: an out-of-plane slope s appears as a tangential strain s^2/(1 + s^2).
 class SummedStrainKinematics {
  public:
+  /// No strain yet; the local frames are those of the undeformed surface.
   SummedStrainKinematics(const MaterialPoints& points, Surface& surface);
 
   /// Adds a step's strain increments (4.4).
@@ -32,9 +33,11 @@ class SummedStrainKinematics {
   /// normals of the given positions (4.12)-(4.21).
   void follow(const PointGroup& group, const std::array<Field, 3>& position,
               const Surface& surface);
-  /// (4.10)
+  /// The total strain in the local frame (4.10).
   LocalStrain local_strain(const PointGroup& group) const;
+  /// Nothing to forget: strains are those of the points.
   void forget_failed(int, const std::vector<int>&, const Surface&) {}
+  /// Calls f(Field) for what steps change.
   template <class F>
   void for_each_field(F f) {
     for (auto& c : total_strain_) f(c);
@@ -53,11 +56,14 @@ class SummedStrainKinematics {
 /// measure of (5.56). Rigid motions give exactly no strain.
 class DeformationGradientKinematics {
  public:
+  /// The points' places are the undeformed ones.
   DeformationGradientKinematics(const MaterialPoints& points, const Surface& surface);
 
-  void accumulate(const PointGroup&, const VelocityGradient&, double) {}
-  void prepare(const std::array<Field, 3>&, Surface&, int) const {}
+  void accumulate(const PointGroup&, const VelocityGradient&, double) {}  ///< nothing: see `follow`
+  void prepare(const std::array<Field, 3>&, Surface&, int) const {}       ///< nothing
+  /// Deformation gradients of a group at these positions [m].
   void follow(const PointGroup& group, const std::array<Field, 3>& position, const Surface&);
+  /// The Biot strain U - I of F = R U; its axes are the columns of R.
   LocalStrain local_strain(const PointGroup& group) const;
   /// Rebuilds the gradients of `neighbours` from the triangles that are still intact.
   void forget_failed(int point, const std::vector<int>& neighbours, const Surface& surface);
@@ -76,6 +82,7 @@ class DeformationGradientKinematics {
   std::array<Field, 6> gradient_;  ///< F, columns x' and y': 3 + 3 components [-]
 };
 
+/// Either kinematics.
 using MembraneKinematics = std::variant<SummedStrainKinematics, DeformationGradientKinematics>;
 
 }  // namespace zona::mpm

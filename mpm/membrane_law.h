@@ -12,13 +12,15 @@ enum class OneWay {
   off      ///< carries compression
 };
 
+/// Constants of a membrane.
 struct MembraneProperties {
-  double density;         ///< [kg/m^3]
-  double thickness;       ///< [m]
-  double youngs_modulus;  ///< E [Pa]
-  double poisson_ratio;   ///< nu [-]
-  OneWay one_way = OneWay::stress;
+  double density;                   ///< [kg/m^3]
+  double thickness;                 ///< [m]
+  double youngs_modulus;            ///< E [Pa]
+  double poisson_ratio;             ///< nu [-]
+  OneWay one_way = OneWay::stress;  ///< what it does under compression
 
+  /// Its moduli without density and thickness.
   ElasticModuli moduli() const { return {youngs_modulus, poisson_ratio}; }
 };
 

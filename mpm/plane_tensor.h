@@ -7,12 +7,18 @@ namespace zona::mpm {
 /// Tensor components in a plane, of one point (T = double) or eight (T = Lanes).
 template <class T>
 struct PlaneValues {
-  T xx, yy, xy;
+  T xx;  ///< normal, along x
+  T yy;  ///< normal, along y
+  T xy;  ///< of the tensor: half the engineering shear strain
 };
 
+/// Of one point.
 using PlaneTensor = PlaneValues<double>;
+/// Of eight points.
 using InPlane = PlaneValues<Lanes>;
 
+/// @{
+/// Component by component.
 template <class T>
 inline PlaneValues<T> operator+(const PlaneValues<T>& a, const PlaneValues<T>& b) {
   return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy};
@@ -25,6 +31,7 @@ template <class T>
 inline PlaneValues<T> operator*(const T& factor, const PlaneValues<T>& a) {
   return {factor * a.xx, factor * a.yy, factor * a.xy};
 }
+/// @}
 /// a : b
 template <class T>
 inline T contract(const PlaneValues<T>& a, const PlaneValues<T>& b) {
@@ -35,12 +42,16 @@ inline T contract(const PlaneValues<T>& a, const PlaneValues<T>& b) {
 /// angle.
 template <class T>
 struct PrincipalValues {
-  T first, second, cos2, sin2;
+  T first;   ///< larger value
+  T second;  ///< smaller value
+  T cos2;    ///< of twice the angle of the first [-]
+  T sin2;    ///< likewise [-]
 };
 
+/// Of eight points.
 using Principal = PrincipalValues<Lanes>;
 
-/// (4.22)-(4.24)
+/// Principal values of a tensor in the plane (4.22)-(4.24). Of equal ones the first has the x axis.
 template <class T>
 inline PrincipalValues<T> principal_values(const PlaneValues<T>& a) {
   const T one = T{} + 1.0;
@@ -52,12 +63,15 @@ inline PrincipalValues<T> principal_values(const PlaneValues<T>& a) {
   return {mean + radius, mean - radius, select(turned, half * scale, one), a.xy * scale};
 }
 
+/// @{
+/// `principal_values` of eight points or one.
 inline Principal principal(const InPlane& a) {
   return principal_values(a);
 }
 inline PrincipalValues<double> principal(const PlaneTensor& a) {
   return principal_values(a);
 }
+/// @}
 
 /// The tensor that has these principal values (4.25)-(4.27).
 template <class T>

@@ -17,13 +17,14 @@ namespace zona::mpm {
 /// face of the grid only the outermost function is not zero, and it is one.
 namespace quadratic {
 
-inline constexpr int node_count = 27;
+inline constexpr int node_count = 27;  ///< of a cell
 
 /// a and b along each axis.
 struct Knots {
-  double low[3];
-  double high[3];
+  double low[3];   ///< a [-]
+  double high[3];  ///< b [-]
 
+  /// Of a cell of the grid.
   Knots(const BackgroundGrid& grid, const Cell& cell) {
     for (int axis = 0; axis < 3; ++axis) {
       low[axis] = cell.index[axis] == 0 ? 1 : 0.5;
@@ -34,10 +35,11 @@ struct Knots {
 
 /// The three functions of one axis and their derivatives with respect to its natural coordinate.
 struct Weights {
-  double value[3];
-  double slope[3];
+  double value[3];  ///< N_0, N_1, N_2 [-]
+  double slope[3];  ///< of each [-]
 };
 
+/// At the natural coordinate s in [0, 1] of an axis.
 inline Weights weights(const Knots& knots, int axis, double s) {
   const double r = 1 - s;
   const double a = knots.low[axis];
@@ -108,6 +110,7 @@ inline std::array<Lanes, 3> derivatives(const double* c, int stride,
 /// Sums over the points of a cell that go to its nodes: rows as in BackgroundGrid::state.
 class NodalSums {
  public:
+  /// No sums yet.
   NodalSums(const BackgroundGrid& grid, const Cell& cell) : knots_(grid, cell) {}
 
   /// Adds mass, momentum and, `with_stress`, internal force of a group's point p.
@@ -159,8 +162,10 @@ class NodalSums {
 /// Sums of one vector over the points of a cell, for its nodes.
 class VectorSums {
  public:
+  /// No sums yet.
   VectorSums(const BackgroundGrid& grid, const Cell& cell) : knots_(grid, cell) {}
 
+  /// Adds the vector of a group's point p.
   void add(const PointVectors& points, int p) {
     const Weights x = weights(knots_, 0, points.natural[0][p]);
     const Weights y = weights(knots_, 1, points.natural[1][p]);
@@ -188,6 +193,7 @@ class VectorSums {
 /// fields as in BackgroundGrid::state.
 class CellField {
  public:
+  /// Loads the nodes of the cell.
   CellField(const BackgroundGrid& grid, const Cell& cell) {
     Lanes node[node_count];
     for (int n = 0; n < node_count; ++n)
@@ -195,12 +201,15 @@ class CellField {
     to_coefficients(Knots(grid, cell), node);
     for (int n = 0; n < node_count; ++n) store(c_[n], node[n]);
   }
+  /// @{
+  /// Of eight points at natural coordinates in [0, 1]: velocity [m/s] or acceleration [m/s^2].
   Lanes velocity(int axis, const std::array<Lanes, 3>& natural) const {
     return interpolate(&c_[0][1 + axis], lane_count, natural);
   }
   Lanes acceleration(int axis, const std::array<Lanes, 3>& natural) const {
     return interpolate(&c_[0][4 + axis], lane_count, natural);
   }
+  /// @}
 
  private:
   alignas(64) double c_[node_count][lane_count];
@@ -209,6 +218,7 @@ class CellField {
 /// Velocity gradient of the updated nodal velocities (3.40) at the points of one cell.
 class CellGradient {
  public:
+  /// Loads the updated nodes of the cell.
   CellGradient(const BackgroundGrid& grid, const Cell& cell) : inverse_(cell.inverse) {
     HalfLanes node[node_count];
     for (int n = 0; n < node_count; ++n)
@@ -216,6 +226,7 @@ class CellGradient {
     to_coefficients(Knots(grid, cell), node);
     __builtin_memcpy(c_, node, sizeof(c_));
   }
+  /// Of eight points at natural coordinates in [0, 1].
   VelocityGradient at(const std::array<Lanes, 3>& natural) const {
     VelocityGradient gradient;
     for (int i = 0; i < 3; ++i) {
@@ -234,10 +245,13 @@ class CellGradient {
 
 /// The policy of Interpolation::quadratic, see shape_functions.h.
 struct Quadratic {
+  /// @{
+  /// A kernel of the policy.
   using NodalSums = quadratic::NodalSums;
   using VectorSums = quadratic::VectorSums;
   using CellField = quadratic::CellField;
   using CellGradient = quadratic::CellGradient;
+  /// @}
   static constexpr int few_points = 0;  ///< there are no batches
 };
 

@@ -6,8 +6,8 @@ namespace zona::mpm {
 
 /// A closed cuboid with edges along the axes [m]; flat where `low` and `high` agree.
 struct Box {
-  Eigen::Vector3d low;
-  Eigen::Vector3d high;
+  Eigen::Vector3d low;   ///< lowest corner [m]
+  Eigen::Vector3d high;  ///< highest corner [m]
 
   /// Whether a place [m] lies in the box or within 1e-9 of its longest edge.
   bool contains(const Eigen::Vector3d& place) const {

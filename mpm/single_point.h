@@ -23,8 +23,8 @@ struct PointSample {
   double internal = 0;          ///< I_s of von Mises plasticity (5.15) [-]
   double left = 1;              ///< stiffness under damage, or 1 - lambda^d; 0 = failed [-]
   double flow_dissipation = 0;  ///< by plastic flow [J/m^3]
-  /// The surface of decohesion; its normal, in the frame of the strain.
-  DecohesionSurface surface{};
+  DecohesionSurface surface{};  ///< of decohesion
+  /// Of the surface, in the frame of the strain: unit vector, or zero where there is none.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double opening_dissipation = 0;  ///< [J/m^2]
   double resolved_energy = 0;      ///< what a resolved opening of the surface dissipates [J/m^2]
@@ -42,7 +42,7 @@ class SinglePoint {
 
   /// One step to a total strain. A membrane takes xx, yy and xy and ignores the rest.
   void strain_to(const SymmetricTensor& strain);
-  PointSample sample() const;
+  PointSample sample() const;     ///< its present state
   double youngs_modulus() const;  ///< [Pa]
 
  private:

@@ -6,11 +6,13 @@
 
 namespace zona::mpm {
 
+/// Constants of an isotropic elastic solid.
 struct ElasticProperties {
   double density;         ///< initial [kg/m^3]
   double youngs_modulus;  ///< E [Pa]
   double poisson_ratio;   ///< nu [-], below 0.5
 
+  /// Its moduli without the density.
   ElasticModuli moduli() const { return {youngs_modulus, poisson_ratio}; }
 };
 
@@ -28,15 +30,20 @@ struct Elastic {};
 template <class Law>
 struct SolidState;
 
+/// Nothing to keep and nothing to limit.
 template <>
 struct SolidState<Elastic> {
+  /// See SolidState.
   SolidState(const Elastic&, int) {}
+  /// The stress itself.
   SymmetricTensorField& elastic_stress(SymmetricTensorField& stress) { return stress; }
+  /// The trial stress [Pa].
   SymmetricTensorLanes limit(const PointGroup&, const SymmetricTensorLanes& trial,
                              const VelocityGradient&, double, const ElasticProperties&,
                              const Elastic&) {
     return trial;
   }
+  /// No fields.
   template <class F>
   void for_each_field(F) {}
 };
@@ -46,15 +53,19 @@ struct SolidState<Elastic> {
 /// which the source omits: without it a turning body would make stress.
 template <class Law>
 struct Solid {
+  /// Its points bring internal forces.
   static constexpr bool has_stress = true;
 
   /// Throws ModelError.
   Solid(const ElasticProperties& properties, int points, const Law& law = {});
 
+  /// Constants of all points.
   ElasticProperties properties;
+  /// How the stress is limited.
   Law law;
   Field density;                ///< [kg/m^3]
   SymmetricTensorField stress;  ///< Cauchy [Pa]
+  /// What the law keeps of each point.
   SolidState<Law> state;
 
   /// Primary wave (5.46) [m/s].
@@ -65,12 +76,16 @@ struct Solid {
   double shear_wave_speed() const {
     return std::sqrt(properties.moduli().shear() / properties.density);
   }
+  /// Present volume [m^3] of a group of this mass [kg].
   Lanes volume(const PointGroup& group, const Lanes& mass) const {
     return mass / group.load(density);
   }
+  /// Steps density and stress (3.41)-(3.42) by dt [s] at a velocity gradient [1/s]; needs no
+  /// length. Returns which points lost a positive density.
   LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt,
                   double length);
 
+  /// Calls f(Field) for what steps change.
   template <class F>
   void for_each_field(F f) {
     f(density);
@@ -79,6 +94,7 @@ struct Solid {
   }
 };
 
+/// A solid that is elastic for ever.
 using LinearElastic = Solid<Elastic>;
 
 /// The stress [Pa] that a step of dt [s] makes of `s` by Hooke's law and the Jaumann rate.
@@ -120,6 +136,7 @@ Solid<Law>::Solid(const ElasticProperties& p, int points, const Law& l)
 /// Whether a material is a solid in three dimensions, whatever its law.
 template <class Material>
 inline constexpr bool is_solid = false;
+/// True for the solids of every law.
 template <class Law>
 inline constexpr bool is_solid<Solid<Law>> = true;
 

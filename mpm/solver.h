@@ -10,6 +10,12 @@
 #include "mpm/load.h"
 #include "mpm/stage_clock.h"
 
+/// Libraries to simulate piezo-ICSI: a beam, a material point method, and what joins them. SI units
+/// throughout. Equation, figure and table numbers are those of the dissertation, "the source".
+namespace zona {}
+
+/// The material point method: grids, bodies of points, materials, membranes, loads, the step, and
+/// files. Knows nothing of beams, deal.II or oocytes.
 namespace zona::mpm {
 
 /// Choices of the scheme; as in the source unless set.
@@ -20,14 +26,14 @@ struct Numerics {
 
 /// Everything a simulation starts from.
 struct Model {
-  BackgroundGrid grid;
-  std::vector<Body> bodies;
+  BackgroundGrid grid;                                ///< where momentum is balanced
+  std::vector<Body> bodies;                           ///< all share the grid
   FaceConditions faces{};                             ///< all free
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
-  std::vector<BodyForce> forces{};
-  std::vector<SurfacePressure> pressures{};
-  std::vector<HeldNodes> held{};
-  Numerics numerics{};
+  std::vector<BodyForce> forces{};                    ///< on points of bodies
+  std::vector<SurfacePressure> pressures{};           ///< on membranes
+  std::vector<HeldNodes> held{};                      ///< nodes that move as prescribed
+  Numerics numerics{};                                ///< choices of the scheme
 };
 
 /// Explicit material point method, MUSL variant, the algorithm of section 3.2. Between steps the
@@ -41,20 +47,23 @@ class Solver {
   /// PointError for points outside the grid.
   Solver(Model model, double step, int threads = 1);
 
+  /// One step, (3.30)-(3.42). Throws PointError when a point leaves the grid or its state lost its
+  /// meaning; the solver cannot go on then.
   void step();
 
   /// Everything between two steps that the model does not tell. A solver of the same model and
   /// step, restored, goes on to the same bits with any number of threads.
   void visit_state(StateVisitor& visitor);
 
-  double time() const { return steps_ * dt_; }
-  double step_size() const { return dt_; }
-  long steps() const { return steps_; }
-  int threads() const { return threads_; }
-  long point_count() const;
-  const BackgroundGrid& grid() const { return model_.grid; }
-  const std::vector<Body>& bodies() const { return model_.bodies; }
-  const FaceConditions& faces() const { return model_.faces; }
+  double time() const { return steps_ * dt_; }                ///< since the start [s]
+  double step_size() const { return dt_; }                    ///< [s]
+  long steps() const { return steps_; }                       ///< taken so far
+  int threads() const { return threads_; }                    ///< that compute
+  long point_count() const;                                   ///< of all bodies
+  const BackgroundGrid& grid() const { return model_.grid; }  ///< between steps: what was scattered
+  const std::vector<Body>& bodies() const { return model_.bodies; }  ///< in the order of the model
+  const FaceConditions& faces() const { return model_.faces; }       ///< of the grid
+  /// The body of that name. Throws ModelError if there is none.
   const Body& body(const std::string& name) const;
   /// Held nodes in the order of the model, with the reactions of the last step.
   const std::vector<HeldNodes>& held() const { return model_.held; }

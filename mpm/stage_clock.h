@@ -6,8 +6,20 @@
 namespace zona::mpm {
 
 /// Parts of a step whose time is taken.
-enum class Stage { loads, advance, gather, finish, update, surface, index, scatter, reorder };
+enum class Stage {
+  loads,    ///< loads on points, and absorbing faces
+  advance,  ///< momentum of the nodes (3.33)
+  gather,   ///< velocities and places of points, momentum mapped back (3.34)-(3.38)
+  finish,   ///< velocities of the nodes (3.39)
+  update,   ///< strains and stresses that cannot wait for `scatter`
+  surface,  ///< stresses and failures of membranes
+  index,    ///< points that changed cells
+  scatter,  ///< strains and stresses of the other points; sums at the nodes (3.30)-(3.32)
+  reorder   ///< storage in the order of the walk
+};
+/// How many stages there are.
 inline constexpr int stage_count = 9;
+/// Their names, in the order of Stage.
 inline constexpr std::array<const char*, stage_count> stage_names{
     "loads", "advance", "gather", "finish", "update", "surface", "index", "scatter", "reorder"};
 
@@ -17,8 +29,10 @@ using StageSeconds = std::array<double, stage_count>;
 /// Adds the time between its marks to the stage that each mark ends.
 class StageClock {
  public:
+  /// Starts now. Keeps a reference.
   explicit StageClock(StageSeconds& seconds) : seconds_(seconds), last_(Clock::now()) {}
 
+  /// `stage` ends here.
   void mark(Stage stage) {
     const auto now = Clock::now();
     seconds_[static_cast<int>(stage)] += std::chrono::duration<double>(now - last_).count();

@@ -17,6 +17,8 @@ class StateVisitor {
 
   /// Whether values are given back; what follows from them is then to be found anew.
   virtual bool is_restoring() const = 0;
+  /// @{
+  /// Shows `count` values: reads them, or writes them when restoring.
   virtual void visit(const std::string& name, double* values, std::size_t count) = 0;
   virtual void visit(const std::string& name, std::int32_t* values, std::size_t count) = 0;
   virtual void visit(const std::string& name, std::int64_t* values, std::size_t count) = 0;
@@ -29,6 +31,7 @@ class StateVisitor {
   void visit(const std::string& name, std::vector<T, Allocator>& values) {
     visit(name, values.data(), values.size());
   }
+  /// @}
 };
 
 }  // namespace zona::mpm

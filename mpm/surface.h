@@ -8,17 +8,21 @@
 
 namespace zona::mpm {
 
+/// Indices of the vertices, by the right-hand rule about the normal.
 using Triangle = std::array<int, 3>;
 
 /// Lanes of a 3-vector.
 using VectorLanes = std::array<Lanes, 3>;
 
+/// a . b
 inline Lanes dot(const VectorLanes& a, const VectorLanes& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+/// a x b
 inline VectorLanes cross(const VectorLanes& a, const VectorLanes& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+/// s a
 inline VectorLanes scaled(const VectorLanes& a, const Lanes& s) {
   return {a[0] * s, a[1] * s, a[2] * s};
 }
@@ -30,11 +34,13 @@ class Surface {
   /// Throws ModelError for vertices out of range, degenerate triangles or points in no triangle.
   Surface(std::vector<Triangle> triangles, const std::vector<Eigen::Vector3d>& places);
 
-  const std::vector<Triangle>& triangles() const { return triangles_; }
-  bool intact(int triangle) const { return intact_[triangle] != 0; }
-  /// Triangles around a point: indices into triangles().
+  const std::vector<Triangle>& triangles() const { return triangles_; }  ///< dropped ones too
+  bool intact(int triangle) const { return intact_[triangle] != 0; }     ///< no vertex has failed
+  /// @{
+  /// Triangles around a point, first and one past the last: indices into triangles().
   const int* triangles_begin(int point) const { return &around_[first_around_[point]]; }
   const int* triangles_end(int point) const { return around_.data() + first_around_[point + 1]; }
+  /// @}
   /// A third of the area of the triangles around each point [m^2].
   std::vector<double> areas(const std::array<Field, 3>& position) const;
 

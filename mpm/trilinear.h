@@ -10,19 +10,25 @@ namespace zona::mpm {
 /// so on.
 namespace trilinear {
 
+/// @{
+/// A factor of N is at_zero + sign xi: xi where the node's offset is 1, else 1 - xi.
 inline constexpr Lanes sign_x{-1, 1, -1, 1, -1, 1, -1, 1};
 inline constexpr Lanes sign_y{-1, -1, 1, 1, -1, -1, 1, 1};
 inline constexpr Lanes sign_z{-1, -1, -1, -1, 1, 1, 1, 1};
 inline constexpr Lanes at_zero_x{1, 0, 1, 0, 1, 0, 1, 0};
 inline constexpr Lanes at_zero_y{1, 1, 0, 0, 1, 1, 0, 0};
 inline constexpr Lanes at_zero_z{1, 1, 1, 1, 0, 0, 0, 0};
+/// @}
 
 /// The three factors of a point's eight shape functions; their product is N, and a factor replaced
 /// by its sign gives a derivative with respect to that natural coordinate.
 struct Factors {
-  Lanes x, y, z;
+  Lanes x;  ///< of the eight nodes, along x [-]
+  Lanes y;  ///< along y [-]
+  Lanes z;  ///< along z [-]
 };
 
+/// At natural coordinates in [0, 1].
 inline Factors factors(double xi, double eta, double zeta) {
   return {at_zero_x + sign_x * xi, at_zero_y + sign_y * eta, at_zero_z + sign_z * zeta};
 }
@@ -59,6 +65,7 @@ inline std::array<Lanes, 3> derivatives(const double* c, int stride,
 /// Sums over the points of a cell that go to its eight nodes, in registers.
 class NodalSums {
  public:
+  /// No sums yet.
   NodalSums(const BackgroundGrid&, const Cell&) {}
 
   /// Adds mass, momentum and, `with_stress`, internal force of a group's point p.
@@ -110,8 +117,10 @@ class NodalSums {
 /// Sums of one vector over the points of a cell, for its eight nodes.
 class VectorSums {
  public:
+  /// No sums yet.
   VectorSums(const BackgroundGrid&, const Cell&) {}
 
+  /// Adds the vector of a group's point p.
   void add(const PointVectors& points, int p) {
     const auto n = factors(points.natural[0][p], points.natural[1][p], points.natural[2][p]);
     const Lanes shape = n.x * n.y * n.z;
@@ -134,18 +143,22 @@ class VectorSums {
 /// fields as in BackgroundGrid::state.
 class CellField {
  public:
+  /// Loads the nodes of the cell.
   CellField(const BackgroundGrid& grid, const Cell& cell) {
     Lanes node[8];
     for (int n = 0; n < 8; ++n) node[n] = grid.state[cell.first_node + grid.node_offsets()[n]];
     to_coefficients(node);
     for (int n = 0; n < 8; ++n) store(c_[n], node[n]);
   }
+  /// @{
+  /// Of eight points at natural coordinates in [0, 1]: velocity [m/s] or acceleration [m/s^2].
   Lanes velocity(int axis, const std::array<Lanes, 3>& natural) const {
     return interpolate(&c_[0][1 + axis], lane_count, natural);
   }
   Lanes acceleration(int axis, const std::array<Lanes, 3>& natural) const {
     return interpolate(&c_[0][4 + axis], lane_count, natural);
   }
+  /// @}
 
  private:
   alignas(64) double c_[8][lane_count];
@@ -154,12 +167,14 @@ class CellField {
 /// Velocity gradient of the updated nodal velocities (3.40) at the points of one cell.
 class CellGradient {
  public:
+  /// Loads the updated nodes of the cell.
   CellGradient(const BackgroundGrid& grid, const Cell& cell) : inverse_(cell.inverse) {
     HalfLanes node[8];
     for (int n = 0; n < 8; ++n) node[n] = grid.updated[cell.first_node + grid.node_offsets()[n]];
     to_coefficients(node);
     __builtin_memcpy(c_, node, sizeof(c_));
   }
+  /// Of eight points at natural coordinates in [0, 1].
   VelocityGradient at(const std::array<Lanes, 3>& natural) const {
     VelocityGradient gradient;
     for (int i = 0; i < 3; ++i) {
@@ -178,10 +193,13 @@ class CellGradient {
 
 /// The policy of Interpolation::linear, see shape_functions.h.
 struct Trilinear {
+  /// @{
+  /// A kernel of the policy.
   using NodalSums = trilinear::NodalSums;
   using VectorSums = trilinear::VectorSums;
   using CellField = trilinear::CellField;
   using CellGradient = trilinear::CellGradient;
+  /// @}
   /// A cell with up to this many points goes into a batch (trilinear_batch.h).
   static constexpr int few_points = 4;
 };

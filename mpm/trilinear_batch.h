@@ -7,8 +7,9 @@ namespace zona::mpm::trilinear {
 
 /// The shape functions of each point of a batch at the nodes of its cell: [point][node].
 struct BatchWeights {
-  alignas(64) double at[lane_count][8];
+  alignas(64) double at[lane_count][8];  ///< [-]
 
+  /// At natural coordinates in [0, 1].
   BatchWeights(const Batch& batch, const std::array<Lanes, 3>& natural) {
     for (int p = 0; p < batch.group.count(); ++p) {
       const auto n = factors(natural[0][p], natural[1][p], natural[2][p]);
@@ -19,9 +20,10 @@ struct BatchWeights {
 
 /// Shape functions and their derivatives with respect to the natural coordinates of one point.
 struct PointWeights {
-  alignas(64) double value[8];
-  alignas(64) double slope[3][8];
+  alignas(64) double value[8];     ///< of each node [-]
+  alignas(64) double slope[3][8];  ///< by each coordinate, of each node [-]
 
+  /// Point p of eight at natural coordinates in [0, 1].
   PointWeights(const std::array<Lanes, 3>& natural, int p) {
     const auto n = factors(natural[0][p], natural[1][p], natural[2][p]);
     const Lanes yz = n.y * n.z;
@@ -35,6 +37,7 @@ struct PointWeights {
 /// Velocity and acceleration of the grid at the points of a batch, as CellField.
 class BatchField {
  public:
+  /// Sums over the nodes of each point.
   BatchField(const BackgroundGrid& grid, const Batch& batch, const BatchWeights& weights) {
     const auto& offset = grid.node_offsets();
     for (int p = 0; p < batch.group.count(); ++p) {
@@ -44,8 +47,11 @@ class BatchField {
     }
     transpose(row_);
   }
+  /// @{
+  /// Of eight points at natural coordinates in [0, 1]: velocity [m/s] or acceleration [m/s^2].
   Lanes velocity(int axis, const std::array<Lanes, 3>&) const { return row_[1 + axis]; }
   Lanes acceleration(int axis, const std::array<Lanes, 3>&) const { return row_[4 + axis]; }
+  /// @}
 
  private:
   Lanes row_[8]{};

@@ -33,10 +33,12 @@ inline SymmetricTensorLanes turning_rate(const VelocityGradient& l, const Symmet
           wzx * (s[0] - s[2]) + wxy * s[4] - wyz * s[3]};
 }
 
+/// Sum of the normal components.
 inline Lanes trace(const SymmetricTensorLanes& a) {
   return a[0] + a[1] + a[2];
 }
 
+/// dv_i/dx_i [1/s].
 inline Lanes divergence(const VelocityGradient& l) {
   return l[0][0] + l[1][1] + l[2][2];
 }

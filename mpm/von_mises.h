@@ -21,6 +21,7 @@ struct VonMises {
   double softening_modulus = 0;  ///< E_s [Pa], positive where the strength falls
   std::optional<Decohesion> decohesion{};  ///< follows where the plastic flow localises
 
+  /// Neither hardens nor softens; its strength [Pa].
   static VonMises perfectly_plastic(double strength) { return {strength, strength}; }
 
   /// I_p, the internal variable at the peak [-].
@@ -64,6 +65,7 @@ double equivalent_stress(const PlaneTensor& stress);
 /// stress) to 1 (no stress left), x = t / (2 G (1 - t)).
 class PlaneStressFlow {
  public:
+  /// From the trial stress [Pa].
   PlaneStressFlow(const PlaneTensor& trial, const ElasticModuli& moduli);
 
   PlaneTensor stress(double t) const;          ///< [Pa]

@@ -15,17 +15,20 @@ namespace zona::mpm {
 /// components.
 template <>
 struct MembraneState<VonMises> {
+  /// Throws ModelError.
   MembraneState(const VonMises& law, int points);
 
-  VonMises law;
+  VonMises law;                           ///< its constants
   std::array<Field, 3> inelastic_strain;  ///< plastic and by decohesion, local xx yy xy [-]
   Field internal;                         ///< I_s of (5.15) [-]
   Field strength;                         ///< what the equivalent stress may be [Pa]
   Field dissipated;                       ///< by plastic flow [J/m^3]
   DecohesionFields<2> surfaces;           ///< normals in the local frame
 
+  /// Stress after plastic flow, or after opening of the surface.
   MembraneResponse respond(const PointGroup& group, const LocalStrain& local, const Principal&,
                            const MembraneProperties& p, MembraneIntegrity& integrity);
+  /// Calls f(Field) for what steps change.
   template <class F>
   void for_each_field(F f) {
     for (auto& component : inelastic_strain) f(component);

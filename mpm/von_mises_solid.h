@@ -14,6 +14,7 @@ namespace zona::mpm {
 /// the step's strain opens the surface of decohesion.
 template <>
 struct SolidState<VonMises> {
+  /// Throws ModelError.
   SolidState(const VonMises& law, int points);
 
   Field internal;                ///< I_s of (5.15) [-]
@@ -21,13 +22,16 @@ struct SolidState<VonMises> {
   Field dissipated;              ///< by plastic flow [J/m^3]
   DecohesionFields<3> surfaces;  ///< the normals turn with the material
 
+  /// The stress itself.
   SymmetricTensorField& elastic_stress(SymmetricTensorField& stress) { return stress; }
+  /// The trial stress [Pa], returned to the strength by plastic flow, or by opening of the surface.
   SymmetricTensorLanes limit(const PointGroup& group, SymmetricTensorLanes trial,
                              const VelocityGradient& gradient, double dt,
                              const ElasticProperties& properties, const VonMises& law);
   /// Its surface has opened: no stress is left, tension or compression.
   bool failed(int p) const { return surfaces.failed(p); }
 
+  /// Calls f(Field) for what steps change.
   template <class F>
   void for_each_field(F f) {
     f(internal);

@@ -1,0 +1,16 @@
+# Writes the reference of the libraries' headers from SOURCE into OUT; fails on any warning.
+find_program(doxygen doxygen)
+if(NOT doxygen)
+  message(STATUS "doxygen is not installed")
+  return()
+endif()
+file(REMOVE_RECURSE ${OUT})
+file(MAKE_DIRECTORY ${OUT})
+execute_process(COMMAND ${CMAKE_COMMAND} -E env ZONA_DOC_OUT=${OUT} ${doxygen} docs/Doxyfile
+  WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE result ERROR_VARIABLE warnings)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "doxygen ended with ${result}:\n${warnings}")
+endif()
+if(NOT EXISTS ${OUT}/index.html)
+  message(FATAL_ERROR "doxygen wrote no ${OUT}/index.html")
+endif()
