@@ -65,6 +65,10 @@ int with_messages(const std::function<int()>& command) {
     const std::size_t count = error.problems().size();
     if (count > 1) std::cerr << count << " problems\n";
     return exit_bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {  // before a run begins
+    std::cerr << printable(error.path1().string(), 400) << ": cannot be used ("
+              << error.code().message() << ")\n";
+    return exit_bad_input;
   } catch (const std::exception& error) {
     std::cerr << "zona: " << error.what() << '\n';
     return exit_failed;
