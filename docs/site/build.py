@@ -4,8 +4,8 @@
     docs/site/build.py [SITE]          # build/site unless told otherwise
 
 The pages are copied as they lie in the repository, so that their links hold in both places. A source file that a page
-links becomes a page of its own, with its text; a folder becomes a list of its files. KaTeX, for the formulas, is Debian's; its fonts go into the style sheet,
-because some browsers load no fonts from file://. Where docs/Doxyfile is, Doxygen adds the API reference in api/.
+links becomes a page of its own, with its text; a folder becomes a list of its files. KaTeX, for the formulas, is
+Debian's; its fonts go into the style sheet, because some browsers load no fonts from file://. Where docs/Doxyfile is, Doxygen adds the API reference in api/.
 Ends with 1 where a link is broken or a tool complains, with 77 where a tool is missing.
 """
 
@@ -26,7 +26,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 KATEX = pathlib.Path("/usr/share/javascript/katex")
 LINK = re.compile(r"(?<=\]\()([^)#\s]+)(?=[)#])")
 FENCE = re.compile(r"(^ *```.*?^ *```)", re.MULTILINE | re.DOTALL)
-LANGUAGES = {".h": "cpp", ".cc": "cpp", ".py": "python", ".toml": "toml", ".csv": "text", ".yml": "yaml"}
+LANGUAGES = {".h": "cpp", ".cc": "cpp", ".py": "python", ".toml": "toml", ".csv": "text", ".yml": "yaml",
+             ".json": "json"}
 COPIED = {".md", ".png", ".svg", ".css", ".js"}
 NEEDED = [pathlib.Path("/usr/bin/mkdocs"), pathlib.Path("/usr/share/mkdocs/themes/material"),
           pathlib.Path("/usr/lib/python3/dist-packages/pymdownx"), KATEX]
