@@ -25,9 +25,13 @@ std::vector<std::string> studies_on(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("the studies printed in the README and the guide are valid") {
+TEST_CASE("the studies printed in the README, the guide and the tutorials are valid") {
   std::size_t count = 0;
-  for (const char* page : {"README.md", "docs/guide.md"}) {
+  std::vector<std::string> pages{"README.md", "docs/guide.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(ZONA_SOURCE_DIR "/docs/tutorials")) {
+    pages.push_back("docs/tutorials/" + entry.path().filename().string());
+  }
+  for (const std::string& page : pages) {
     for (const std::string& text : studies_on(page)) {
       const ScratchDirectory scratch;  // as it were the clone, where bases are found
       std::filesystem::create_directory_symlink(ZONA_SOURCE_DIR "/studies",
@@ -37,7 +41,7 @@ TEST_CASE("the studies printed in the README and the guide are valid") {
       ++count;
     }
   }
-  CHECK(count >= 2);
+  CHECK(count >= 6);
 }
 
 TEST_CASE("every study file that is shipped for verification can be prepared") {
