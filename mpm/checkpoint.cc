@@ -105,16 +105,20 @@ void write_checkpoint(const std::string& path, const CheckpointLabels& labels,
 
 Checkpoint::Checkpoint(const std::string& path) : path_(path) {
   check_end(path);
-  const Hdf5File file = Hdf5File::open(path);
-  for (const std::string& name : file.attributes("/")) {
-    labels_[name] = file.read_attribute<std::string>("/", name);
+  try {
+    const Hdf5File file = Hdf5File::open(path);
+    for (const std::string& name : file.attributes("/")) {
+      labels_[name] = file.read_attribute<std::string>("/", name);
+    }
+  } catch (const Hdf5Error& error) {
+    throw CheckpointError(fmt::format("{}; it is no checkpoint of Zona", error.what()));
   }
 }
 
 void Checkpoint::restore(const VisitState& visit) const {
-  const Hdf5File file = Hdf5File::open(path_);
-  Restoring restoring(file);
   try {
+    const Hdf5File file = Hdf5File::open(path_);
+    Restoring restoring(file);
     visit(restoring);
   } catch (const Hdf5Error& error) {
     throw CheckpointError(fmt::format("{}; it is of another model", error.what()));

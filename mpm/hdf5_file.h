@@ -79,7 +79,7 @@ class Hdf5File {
   void write_attribute(const std::string& object, const std::string& name,
                        const std::string& value);
   /// @}
-  /// Value of an attribute, of the type that was written.
+  /// Value of an attribute, of the type that was written; texts of variable length are not read.
   template <class T>
   T read_attribute(const std::string& object, const std::string& name) const;
   /// Names of the attributes of an object, in alphabetical order.

@@ -6,6 +6,10 @@
 #include <iterator>
 #include <random>
 
+// Its functions inline: the library is no business of the tests.
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include "mpm/atomic_file.h"
 #include "tests/scratch_folder.h"
 
@@ -38,6 +42,12 @@ std::string content(const std::string& path) {
 
 void write(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// What a checkpoint ends with.
+std::string end_of(const std::string& image) {
+  const XXH64_hash_t hash = XXH3_64bits(image.data(), image.size());
+  return "ZONAHASH" + std::string(reinterpret_cast<const char*>(&hash), sizeof hash);
 }
 
 }  // namespace
@@ -74,6 +84,25 @@ TEST_CASE("any damage to a checkpoint is noticed", "[checkpoint]") {
   }
   CHECK_THROWS_AS(Checkpoint(scratch / "none"), CheckpointError);
   CHECK_THROWS_AS(Checkpoint(scratch.path()), CheckpointError);
+}
+
+TEST_CASE("a file that has a right hash but holds no state is refused", "[checkpoint]") {
+  const ScratchFolder scratch;
+  const std::string path = scratch / "a";
+  for (const std::string image : {"", "plain text", "\x89HDF\r\n\x1a\n"}) {
+    write(path, image + end_of(image));
+    CHECK_THROWS_AS(Checkpoint(path), CheckpointError);
+  }
+  write_checkpoint(path, {{"version", "1"}}, State().visit());
+  const std::string whole = content(path);
+  const std::string image = whole.substr(0, whole.size() - end_of("").size());
+  REQUIRE(end_of(image) == whole.substr(image.size()));
+  for (std::size_t size = 8; size + 64 < image.size(); size += 97) {
+    const std::string part = image.substr(0, size);
+    write(path, part + end_of(part));
+    State state;
+    CHECK_THROWS_AS(Checkpoint(path).restore(state.visit()), CheckpointError);
+  }
 }
 
 TEST_CASE("a checkpoint of another model is refused", "[checkpoint]") {

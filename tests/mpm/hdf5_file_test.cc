@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 #include "tests/scratch_folder.h"
@@ -95,6 +96,29 @@ TEST_CASE("HDF5 errors name the file, the dataset and the problem", "[hdf5]") {
   CHECK_THAT(message_of([&] { file.read_attribute<double>("/", "none"); }), Contains("/@none"));
   std::ofstream(scratch / "not_hdf5.h5") << "plain text";
   CHECK_THAT(message_of([&] { Hdf5File::open(scratch / "not_hdf5.h5"); }), Contains("not_hdf5.h5"));
+}
+
+TEST_CASE("a dataset that its file cannot hold is refused before memory is taken", "[hdf5]") {
+  const ScratchFolder scratch;
+  const std::string path = scratch / "claims.h5";
+  constexpr std::uint64_t length = 12345;
+  Hdf5File::create(path).write("/numbers", std::vector<double>(length));
+  CHECK(Hdf5File::open(path).read<double>("/numbers").size() == length);
+  const auto bytes_of = [](std::uint64_t number) {
+    return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+  };
+  for (const int power : {24, 50, 61}) {
+    std::ostringstream content;
+    content << std::ifstream(path, std::ios::binary).rdbuf();
+    std::string bytes = content.str();
+    const std::string before = bytes_of(length), after = bytes_of(std::uint64_t{1} << power);
+    for (auto at = bytes.find(before); at != std::string::npos; at = bytes.find(before))
+      bytes.replace(at, before.size(), after);
+    const std::string claim = scratch / "claim.h5";
+    std::ofstream(claim, std::ios::binary) << bytes;
+    CHECK_THROWS_WITH(Hdf5File::open(claim).read<double>("/numbers"),
+                      Catch::Contains("/numbers: claims to have"));
+  }
 }
 
 TEST_CASE("threads take turns to have files open", "[hdf5]") {
