@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "studies/configuration.h"
 #include "studies/nearest.h"
 #include "studies/resolver.h"
-#include "studies/study_kinds.h"
 
 namespace zona::studies {
 
@@ -67,13 +67,6 @@ Configuration load_configuration(const std::filesystem::path& file,
   resolver.check_files();
   resolver.cross_check();
   return resolver.result();
-}
-
-Configuration load_configuration(const std::filesystem::path& file,
-                                 const std::vector<std::string>& overrides) {
-  std::vector<const Schema*> schemas;
-  for (const StudyKind& kind : study_kinds()) schemas.push_back(kind.schema);
-  return load_configuration(file, overrides, schemas);
 }
 
 }  // namespace zona::studies

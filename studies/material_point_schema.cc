@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "studies/material_parameters.h"
-#include "studies/material_point_study.h"
+#include "studies/material_point_path.h"
 #include "studies/study_kinds.h"
 
 namespace zona::studies {

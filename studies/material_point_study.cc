@@ -11,6 +11,7 @@
 #include "studies/interrupt.h"
 #include "studies/material_parameters.h"
 #include "studies/material_point_events.h"
+#include "studies/material_point_path.h"
 #include "studies/progress.h"
 #include "studies/run_directory.h"
 
@@ -20,15 +21,6 @@ namespace {
 
 using mpm::PointSample;
 using mpm::SymmetricTensor;
-
-mpm::FreeComponents free_components(const Configuration& study) {
-  mpm::FreeComponents free{};
-  for (const std::string& name : study.texts("path.free")) {
-    const auto at = std::find(strain_components.begin(), strain_components.end(), name);
-    free[at - strain_components.begin()] = true;
-  }
-  return free;
-}
 
 /// The components that a row holds: all, or those of a membrane.
 std::vector<int> shown_components(const Configuration& study) {
@@ -133,23 +125,6 @@ class PathRun {
 };
 
 }  // namespace
-
-std::vector<SymmetricTensor> path_strains(const Configuration& study) {
-  std::vector<std::vector<double>> lists;
-  std::size_t segments = 0;
-  for (const std::string name : strain_components) {
-    lists.push_back(study.numbers("path." + name));
-    segments = std::max(segments, lists.back().size());
-  }
-  const auto free = free_components(study);
-  std::vector<SymmetricTensor> targets(segments);
-  for (std::size_t s = 0; s < segments; ++s) {
-    for (int c = 0; c < 6; ++c) {
-      targets[s][c] = free[c] ? 0 : lists[c][std::min(s, lists[c].size() - 1)];
-    }
-  }
-  return targets;
-}
 
 mpm::SinglePoint material_point(const Configuration& study) {
   const double modulus = study.quantity("material.youngs_modulus");

@@ -32,4 +32,11 @@ const StudyKind& find_study_kind(const std::string& name) {
   throw std::logic_error("there is no study kind " + name);
 }
 
+Configuration load_configuration(const std::filesystem::path& file,
+                                 const std::vector<std::string>& overrides) {
+  std::vector<const Schema*> schemas;
+  for (const StudyKind& kind : study_kinds()) schemas.push_back(kind.schema);
+  return load_configuration(file, overrides, schemas);
+}
+
 }  // namespace zona::studies

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <optional>
 
@@ -25,10 +26,13 @@ std::string read_file(const std::filesystem::path& file) {
     throw InputError(file.string(),
                      "cannot be opened; give the path of a study file (\"zona list\" names some)");
   }
-  std::string text(largest_file + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 1 << 14> part;
+  do {
+    stream.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  } while (stream && text.size() <= largest_file);
   if (stream.bad()) throw InputError(file.string(), "cannot be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > largest_file) {
     throw InputError(file.string(), "is larger than 4 MiB; this cannot be a study file");
   }
