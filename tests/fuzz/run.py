@@ -3,6 +3,7 @@
 run.py FOLDER SECONDS: FOLDER holds the programs fuzz_*; it also gets `corpus`, the inputs that reach something
 new, kept from run to run, and `findings`. Exit code 1 when there is a finding in Zona, 0 otherwise.
 """
+import concurrent.futures
 import os
 import pathlib
 import re
@@ -93,12 +94,16 @@ def sort_findings(target, scratch):
     return ours, of_hdf5, gone
 
 
+def try_target(target):
+    with tempfile.TemporaryDirectory(prefix="zona_fuzz_") as scratch:
+        return fuzz(target, scratch), *sort_findings(target, scratch)
+
+
 def main():
     failed = False
-    for target in TARGETS:
-        with tempfile.TemporaryDirectory(prefix="zona_fuzz_") as scratch:
-            said = fuzz(target, scratch)
-            ours, of_hdf5, gone = sort_findings(target, scratch)
+    with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as side_by_side:
+        outcomes = list(side_by_side.map(try_target, TARGETS))
+    for target, (said, ours, of_hdf5, gone) in zip(TARGETS, outcomes):
         rounds = re.findall(r"#(\d+): cov: (\d+) ft: (\d+) corp: (\d+)", said)
         if not rounds:
             print(f"{target}: did not run\n{said[-2000:]}")
