@@ -115,10 +115,13 @@ void write_tip_trace_hdf5(const TipHistory& history, const std::string& path) {
   mpm::replace_file(path, file.close_in_memory());
 }
 
-TipHistory read_tip_trace(const std::string& path) {
+bool is_hdf5_trace(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension().string();
-  return ending == ".h5" || ending == ".hdf5" ? read_tip_trace_hdf5(path)
-                                              : read_tip_trace_csv(path);
+  return ending == ".h5" || ending == ".hdf5";
+}
+
+TipHistory read_tip_trace(const std::string& path) {
+  return is_hdf5_trace(path) ? read_tip_trace_hdf5(path) : read_tip_trace_csv(path);
 }
 
 }  // namespace zona::coupling

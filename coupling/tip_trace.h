@@ -56,7 +56,10 @@ beam::TipHistory read_tip_trace_hdf5(const std::string& path);
 /// length, `mpm::Hdf5Error` if the file fails.
 void write_tip_trace_hdf5(const beam::TipHistory& history, const std::string& path);
 
-/// Reads either format, told apart by the ending: ".h5" and ".hdf5", or else CSV.
+/// Whether a trace is taken for HDF5, by its ending: ".h5" or ".hdf5".
+bool is_hdf5_trace(const std::string& path);
+
+/// Reads either format: HDF5 if `is_hdf5_trace`, or else CSV.
 beam::TipHistory read_tip_trace(const std::string& path);
 
 /// Throws `TraceError` unless the history has at least three samples, vectors of one length, finite

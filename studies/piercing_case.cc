@@ -8,6 +8,7 @@
 #include "studies/material_parameters.h"
 #include "studies/numerics_parameters.h"
 #include "studies/piercing_values.h"
+#include "studies/rehearsal.h"
 #include "studies/time_step.h"
 
 namespace zona::studies {
@@ -107,6 +108,19 @@ void drive_by_history(const Configuration& study, PiercingCase& c) {
   c.setup.pipette.motion = motion;
 }
 
+/// libhdf5 crashes on some damaged files: only what passes a rehearsal is read here.
+beam::TipHistory read_trace(const std::string& path) {
+  if (coupling::is_hdf5_trace(path)) {
+    const std::string death = rehearse([&] { coupling::read_tip_trace(path); });
+    if (!death.empty()) {
+      throw coupling::TraceError(
+          path, 0, 0,
+          "HDF5 failed to read it (" + death + "); the file is damaged; write it anew, or as CSV");
+    }
+  }
+  return coupling::read_tip_trace(path);
+}
+
 void set_motion(const Configuration& study, PiercingCase& c) {
   const std::string& kind = study.choice("motion.kind");
   const Vector3d axis = motion_axis(study);
@@ -123,9 +137,8 @@ void set_motion(const Configuration& study, PiercingCase& c) {
     c.support_peak = study.quantity("pulse.peak");
     drive_by_history(study, c);
   } else {
-    c.tip_history = blaming(study, "motion.trace", [&] {
-      return coupling::read_tip_trace(study.path("motion.trace").string());
-    });
+    c.tip_history = blaming(study, "motion.trace",
+                            [&] { return read_trace(study.path("motion.trace").string()); });
     drive_by_history(study, c);
   }
 }

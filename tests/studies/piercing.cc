@@ -47,6 +47,25 @@ std::vector<std::string> lines_of(const fs::path& file) {
   return lines;
 }
 
+/// A file at which HDF5 1.10.8 reads from address zero; found by fuzzing, then cut down.
+std::string crashing_hdf5() {
+  std::string bytes(3113, '\0');
+  const auto put = [&](std::size_t at, const std::string& part) {
+    bytes.replace(at, part.size(), part);
+  };
+  put(0, std::string("\211\110\104\106\015\012\032\012", 8));
+  put(13, std::string("\010\010\000\004\000\020", 6));
+  put(24, std::string("\377\013", 2));
+  put(32, std::string("\377\377\377\377\377\377\377\377\000\030", 10));
+  put(48, std::string("\377\377\377\377\377\377\377", 7));
+  put(64, std::string("\140", 1));
+  put(96, std::string("\001\000\001", 3));
+  put(104, std::string("\030", 1));
+  put(112, std::string("\021\000\020", 3));
+  put(128, std::string("\377\377\377\377\377\377\377\377", 8));
+  return bytes;
+}
+
 }  // namespace
 
 TEST_CASE("a piercing writes its summary, history, fields and log") {
@@ -159,6 +178,17 @@ TEST_CASE("what only the model can see is refused before anything is written") {
   refused(" --set 'pipette.inner_diameter=\"12 um\"'", "bore");
   refused(" --set 'grid.cell=-1'", "no unit");
   refused(" --set 'motion.duration=\"0 us\"'", "motion.duration");
+}
+
+TEST_CASE("a trace that makes HDF5 crash is refused as any other") {
+  const ScratchDirectory scratch;
+  const auto file = scratch.write("s.toml", small).string();
+  scratch.write("bad.h5", crashing_hdf5());
+  const auto answer =
+      call("check " + file + " --set 'motion.kind=\"trace\"' --set 'motion.trace=\"bad.h5\"'");
+  INFO(answer.text);
+  CHECK(answer.code == 2);
+  CHECK_THAT(answer.text, Contains("motion.trace") && Contains("bad.h5"));
 }
 
 TEST_CASE("a point that leaves the grid ends the run with exit code 3 and what there was") {
