@@ -8,6 +8,7 @@
 #include "studies/material_parameters.h"
 #include "studies/numerics_parameters.h"
 #include "studies/piercing_values.h"
+#include "studies/profiles.h"
 #include "studies/rehearsal.h"
 #include "studies/time_step.h"
 
@@ -162,6 +163,7 @@ PiercingCase make_piercing_case(const Configuration& study, const std::string& f
   c.end = simulation_end(study);
   set_motion(study, c);
   const auto model = blaming(study, "grid.domain", [&] { return build_piercing(c.setup); });
+  check_sections(study, model.grid, piercing_geometry(c.setup).egg_center);
   const TimeStep step = time_step(study, model, c.end);
   c.critical_step = step.critical;
   c.step = step.seconds;

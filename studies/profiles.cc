@@ -1,5 +1,7 @@
 #include "studies/profiles.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -37,17 +39,39 @@ std::vector<std::size_t> bodies_of(const Table& table, const TrackedBodies& bodi
   return chosen;
 }
 
-/// The layer of cells around a place along an axis; the whole grid along the others.
+/// The layer of cells around a place along an axis; the whole grid along the others. The upper face
+/// of the grid has the last layer.
 mpm::Box layer_around(double place, int axis, const mpm::BackgroundGrid& grid) {
   mpm::Box layer{grid.origin(), grid.upper_corner()};
   const double cell = grid.cell_size()[axis];
   const double number = std::floor((place - layer.low[axis]) / cell + 1e-9);
-  layer.low[axis] += std::clamp(number, 0.0, grid.cells()[axis] - 1.0) * cell;
+  layer.low[axis] += std::min(number, grid.cells()[axis] - 1.0) * cell;
   layer.high[axis] = layer.low[axis] + cell;
   return layer;
 }
 
+/// The axis that the plane of a section stands across.
+int normal_of(const Table& section) {
+  return section.choice("normal")[0] - 'x';
+}
+
 }  // namespace
+
+void check_sections(const Configuration& study, const mpm::BackgroundGrid& grid,
+                    const Vector3d& origin) {
+  std::vector<Problem> problems;
+  for (const Table& section : study.items("section")) {
+    const int normal = normal_of(section);
+    const double low = grid.origin()[normal] - origin[normal];
+    const double high = grid.upper_corner()[normal] - origin[normal];
+    const double place = section.quantity("place");
+    if (place >= low && place <= high) continue;
+    problems.push_back(
+        section.problem("place", fmt::format("{:g} m is outside the grid, {:g} to {:g} m along {}",
+                                             place, low, high, section.choice("normal"))));
+  }
+  if (!problems.empty()) throw InputError(problems);
+}
 
 Profiles::Profile Profiles::make_profile(const studies::Table& table, const mpm::Solver& solver,
                                          const TrackedBodies& bodies, double end) {
@@ -81,7 +105,7 @@ Profiles::Profiles(const Configuration& study, const mpm::Solver& solver, const 
   }
   for (const studies::Table& table : study.items("section")) {
     Profile section = make_profile(table, solver, bodies, end);
-    const int normal = table.choice("normal")[0] - 'x';
+    const int normal = normal_of(table);
     section.box = layer_around(origin[normal] + table.quantity("place"), normal, grid);
     section.is_current = true;
     section.bin = grid.cell_size();

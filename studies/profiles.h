@@ -10,6 +10,11 @@
 
 namespace zona::studies {
 
+/// Throws InputError where the plane of a [[section]] does not cut the grid. Places in the tables
+/// count from `origin` [m].
+void check_sections(const Configuration& study, const mpm::BackgroundGrid& grid,
+                    const Eigen::Vector3d& origin);
+
 /// All [[profile]] and [[section]] tables of a study, and the files profiles.csv and sections.csv,
 /// which are there when there is one: means over bins of points at chosen times.
 class Profiles {

@@ -7,6 +7,7 @@
 
 #include "studies/blame.h"
 #include "studies/numerics_parameters.h"
+#include "studies/profiles.h"
 #include "studies/scene_actions.h"
 #include "studies/scene_body.h"
 #include "studies/solver_march.h"
@@ -69,6 +70,7 @@ SceneCase make_scene_case(const Configuration& study) {
   add_bodies(study, model);
   add_holds(study, model);
   add_loads(study, model);
+  check_sections(study, model.grid, Eigen::Vector3d::Zero());
   const TimeStep step = time_step(study, model, end);
   set_rigid_motions(study, step.seconds, model);
   return {study, std::move(model), step, end};

@@ -99,6 +99,20 @@ place = "0 um"
   for (const double z : section.at("z")) CHECK(z == Approx(90e-6));  // the cell above the middle
 }
 
+TEST_CASE("a section that does not cut the grid is refused before anything is written") {
+  const ScratchDirectory scratch;
+  const std::string section = "[[section]]\nname = \"far\"\nnormal = \"y\"\nplace = ";
+  const auto check = [&](const std::string& text) {
+    return call("check " + scratch.write("s.toml", text).string());
+  };
+  const Answer far = check(small_piercing + section + "\"85 um\"\n");
+  CHECK(far.code == 2);
+  CHECK_THAT(far.text,
+             Contains("section.far.place: 8.5e-05 m is outside the grid, -8.4e-05 to 8.4e-05 m"));
+  CHECK(check(small_piercing + section + "\"84 um\"\n").code == 0);
+  CHECK(check("study = \"scene\"\n" + stretched_water + section + "\"1.9 m\"\n").code == 2);
+}
+
 TEST_CASE("what cannot be measured in a piercing is refused") {
   const auto refused = [](const std::string& rest) {
     return problems_of("study = \"piercing\"\n" + rest);
