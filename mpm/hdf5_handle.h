@@ -6,7 +6,8 @@
 
 #include "mpm/hdf5_file.h"
 
-/// What `hdf5_file.cc` and `hdf5_attribute.cc` need to call HDF5's C interface safely; of no use elsewhere.
+/// What `hdf5_file.cc` and `hdf5_attribute.cc` need to call HDF5's C interface safely; of no use
+/// elsewhere.
 namespace zona::mpm::hdf5 {
 
 /// HDF5 prints its error stack by default; within this scope it is silent.
