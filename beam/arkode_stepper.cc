@@ -7,6 +7,7 @@
 
 #include <sundials/sundials_context.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -66,7 +67,8 @@ void keep_message(int, const char*, const char* function, char* message, void* t
 
 class ArkodeStepper::Session {
  public:
-  Session(const BeamSystem& system, const SupportMotion& motion, const Arkode& options);
+  Session(const BeamSystem& system, const SupportMotion& motion, const Arkode& options,
+          const FrequencySpan& span);
 
   void advance(double to);
   void kick(double time, double velocity_jump);
@@ -90,9 +92,9 @@ class ArkodeStepper::Session {
 };
 
 ArkodeStepper::Session::Session(const BeamSystem& system, const SupportMotion& motion,
-                                const Arkode& options)
-    : equations_(system, motion),
-      state_(N_VNew_Serial(2 * system.size(), context_)),
+                                const Arkode& options, const FrequencySpan& span)
+    : equations_(system, motion, span),
+      state_(N_VNew_Serial(equations_.state_size(), context_)),
       absolute_tolerance_(N_VClone(state_.get())) {
   view(state_.get()).setZero();
   const bool is_explicit = options.method == RungeKutta::explicit_8;
@@ -119,7 +121,7 @@ void ArkodeStepper::Session::use_implicit() {
   solver_->ops->gettype = matrix_embedded;
   solver_->ops->solve = solve_newton;
   expect_success(ARKStepSetLinearSolver(arkode_.get(), solver_.get(), nullptr));
-  expect_success(ARKStepSetLinear(arkode_.get(), 0));
+  if (equations_.is_linear()) expect_success(ARKStepSetLinear(arkode_.get(), 0));
 }
 
 void ArkodeStepper::Session::set_tolerances(const BeamSystem& system, const SupportMotion& motion,
@@ -132,7 +134,13 @@ void ArkodeStepper::Session::set_tolerances(const BeamSystem& system, const Supp
     const double length = system.rotation[i] ? system.element_length : 1;
     tolerance(i) = options.absolute_tolerance / length;
     tolerance(size + i) = rate * tolerance(i);
+    // A memory is a displacement where it lasts, and a velocity over its rate where it does not.
+    for (int j = 0; j < equations_.beam().memories(); ++j)
+      tolerance((2 + j) * size + i) = tolerance(i) * std::min(1., rate / equations_.beam().rate(j));
   }
+  for (int j = 0; j < equations_.beam().memories(); ++j)
+    tolerance((2 + equations_.beam().memories()) * size + j) =
+        options.absolute_tolerance * std::min(1., rate / equations_.beam().rate(j));
   expect_success(
       ARKStepSVtolerances(arkode_.get(), options.relative_tolerance, absolute_tolerance_.get()));
 }
@@ -163,8 +171,8 @@ void ArkodeStepper::Session::expect_success(int flag) const {
 }
 
 ArkodeStepper::ArkodeStepper(const BeamSystem& system, const SupportMotion& motion,
-                             const Arkode& options)
-    : session_(std::make_unique<Session>(system, motion, options)) {}
+                             const Arkode& options, const FrequencySpan& span)
+    : session_(std::make_unique<Session>(system, motion, options, span)) {}
 
 ArkodeStepper::~ArkodeStepper() = default;
 

@@ -6,16 +6,18 @@
 #include "beam/integrate.h"
 #include "beam/march.h"
 #include "beam/support_motion.h"
+#include "beam/transient_beam.h"
 
 namespace zona::beam {
 
-/// SUNDIALS ARKODE for `march`: y = (q, q'), steps adapted to the tolerances, ending on every
-/// sample and kink.
-/// Keeps references to the system and the motion; SUNDIALS stays out of this header.
+/// SUNDIALS ARKODE for `march`: the state of ArkodeEquations, steps adapted to the tolerances,
+/// ending on every sample and kink.
+/// Keeps a reference to the motion; SUNDIALS stays out of this header.
 class ArkodeStepper {
  public:
   /// A beam at rest at t = 0. Throws std::runtime_error if SUNDIALS cannot be set up.
-  ArkodeStepper(const BeamSystem& system, const SupportMotion& motion, const Arkode& options);
+  ArkodeStepper(const BeamSystem& system, const SupportMotion& motion, const Arkode& options,
+                const FrequencySpan& span);
   ~ArkodeStepper();
 
   /// @{

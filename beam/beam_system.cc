@@ -3,6 +3,8 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "beam/elements/elements.h"
@@ -11,45 +13,138 @@ namespace zona::beam {
 
 namespace {
 
-using Assemble = decltype(&zona_beam_assemble);
+constexpr double kPi = 3.14159265358979323846;
 
-/// From the library that stands next to this one.
-Assemble load_assembly() {
-  void* const library = dlopen("libzona_beam_elements.so", RTLD_NOW | RTLD_LOCAL);
-  void* const function = library != nullptr ? dlsym(library, "zona_beam_assemble") : nullptr;
+/// What the library next to this one offers.
+struct Elements {
+  decltype(&zona_beam_assemble) assemble;
+  decltype(&zona_beam_quadrature_points) quadrature_points;
+};
+
+template <class Function>
+Function find_function(void* library, const char* name) {
+  void* const function = library != nullptr ? dlsym(library, name) : nullptr;
   if (function == nullptr)
     throw std::runtime_error(
         fmt::format("the beam's finite elements cannot be loaded: {}; install Zona and deal.II "
                     "again",
                     dlerror()));
-  return reinterpret_cast<Assemble>(function);
+  return reinterpret_cast<Function>(function);
+}
+
+const Elements& elements() {
+  static const Elements functions = [] {
+    void* const library = dlopen("libzona_beam_elements.so", RTLD_NOW | RTLD_LOCAL);
+    return Elements{find_function<decltype(&zona_beam_assemble)>(library, "zona_beam_assemble"),
+                    find_function<decltype(&zona_beam_quadrature_points)>(
+                        library, "zona_beam_quadrature_points")};
+  }();
+  return functions;
+}
+
+/// Chebyshev points between two radii, evenly in the angle of their logarithm; one for equal radii.
+std::vector<double> radius_nodes(double least, double greatest) {
+  const double span = std::log(greatest / least);
+  if (span < 1e-12) return {least};
+  // Viscous loads are smooth in ln a: this many keep them to 1e-6.
+  const int count = 4 + static_cast<int>(std::ceil(2 * span));
+  std::vector<double> nodes;
+  for (int k = 0; k < count; ++k)
+    nodes.push_back(least * std::exp(span / 2 * (1 - std::cos(kPi * (k + 0.5) / count))));
+  return nodes;
+}
+
+/// Lagrange's polynomial k of ln a over the nodes.
+double lagrange(const std::vector<double>& nodes, std::size_t k, double radius) {
+  double value = 1;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (i != k) value *= std::log(radius / nodes[i]) / std::log(nodes[k] / nodes[i]);
+  return value;
+}
+
+Immersion immersion_of(const Pipette& pipette, const Section& section, const BeamLayout& layout,
+                       int size) {
+  const Bath& bath = pipette.bath;
+  Immersion immersion;
+  if (bath.model == BathModel::none) return immersion;
+  std::vector<QuadraturePoint> points = quadrature_points(section, layout);
+  const double from = immersed_from(pipette);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                              [&](const QuadraturePoint& point) { return point.x < from; }),
+               points.end());
+  if (points.empty()) return immersion;
+  const auto radius = [&](double x) { return diameters_at(pipette, x).outer / 2; };
+  double least = radius(points.front().x), greatest = least;
+  for (const QuadraturePoint& point : points) {
+    least = std::min(least, radius(point.x));
+    greatest = std::max(greatest, radius(point.x));
+  }
+  immersion.model = bath.model;
+  immersion.liquid = bath.liquid;
+  immersion.angular_frequency = 2 * kPi * bath.frequency;
+  immersion.radius = radius_nodes(least, greatest);
+  for (std::size_t k = 0; k < immersion.radius.size(); ++k)
+    immersion.share.push_back(distribute(
+        points, size, [&](double x) { return lagrange(immersion.radius, k, radius(x)); }));
+  immersion.displaced = distribute(
+      points, size, [&](double x) { return bath.liquid.density * kPi * radius(x) * radius(x); });
+  if (bath.drag_coefficient > 0) {
+    immersion.drag = points;
+    for (QuadraturePoint& point : immersion.drag)
+      point.weight *= bath.liquid.density * bath.drag_coefficient * radius(point.x);
+  }
+  return immersion;
+}
+
+BeamSystem system_of(const Pipette& pipette, Supports supports, double observed_at) {
+  const Section section = section_of(pipette);
+  const BeamLayout layout{pipette.elements, supports, observed_at};
+  BeamSystem system = assemble(section, layout);
+  system.damping_alpha = pipette.damping_alpha;
+  system.damping_beta = pipette.damping_beta;
+  system.loss_factor = pipette.loss_factor;
+  system.loss_frequency = 2 * kPi * pipette.loss_frequency;
+  system.immersion = immersion_of(pipette, section, layout, system.size());
+  return system;
 }
 
 }  // namespace
 
 BeamSystem assemble(const Section& section, const BeamLayout& layout) {
-  static const Assemble assembly = load_assembly();
   BeamSystem system;
-  assembly(section, layout, system);
+  elements().assemble(section, layout, system);
   return system;
+}
+
+std::vector<QuadraturePoint> quadrature_points(const Section& section, const BeamLayout& layout) {
+  std::vector<QuadraturePoint> points;
+  elements().quadrature_points(section, layout, points);
+  return points;
+}
+
+Distributed distribute(const std::vector<QuadraturePoint>& points, int size,
+                       const std::function<double(double)>& coefficient) {
+  Distributed sum{SymmetricBand(size), Eigen::VectorXd::Zero(size)};
+  for (const QuadraturePoint& point : points) {
+    const double value = point.weight * coefficient(point.x);
+    for (int i = 0; i < QuadraturePoint::dofs; ++i) {
+      const int row = point.dof[i];
+      if (row == QuadraturePoint::held) continue;
+      sum.support(row) += value * point.shape[i] * point.rigid;
+      for (int j = 0; j < QuadraturePoint::dofs; ++j)
+        if (point.dof[j] != QuadraturePoint::held && point.dof[j] <= row)
+          sum.matrix.add(row, point.dof[j], value * point.shape[i] * point.shape[j]);
+    }
+  }
+  return sum;
 }
 
 BeamSystem cantilever(const Pipette& pipette) {
-  const UniformBeam beam = uniform_beam(pipette);
-  BeamSystem system =
-      assemble(section_of(beam), {pipette.elements, Supports::clamped_free, beam.length});
-  system.damping_alpha = pipette.damping_alpha;
-  system.damping_beta = pipette.damping_beta;
-  return system;
+  return system_of(pipette, Supports::clamped_free, pipette.length);
 }
 
 BeamSystem simply_supported(const Pipette& pipette) {
-  const UniformBeam beam = uniform_beam(pipette);
-  BeamSystem system =
-      assemble(section_of(beam), {pipette.elements, Supports::pinned_pinned, beam.length / 2});
-  system.damping_alpha = pipette.damping_alpha;
-  system.damping_beta = pipette.damping_beta;
-  return system;
+  return system_of(pipette, Supports::pinned_pinned, pipette.length / 2);
 }
 
 }  // namespace zona::beam

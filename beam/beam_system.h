@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <functional>
 #include <vector>
 
 #include "beam/pipette.h"
@@ -15,6 +17,43 @@ enum class Supports {
   pinned_pinned,  ///< deflection g at x = 0 and 0 at x = length, no moments (Figure 5.25)
 };
 
+/// A point of the elements' quadrature: where, how much it counts, and what the shape functions are
+/// there.
+struct QuadraturePoint {
+  static constexpr int dofs = 4;   ///< of an element
+  static constexpr int held = -1;  ///< in place of the number of an essential degree of freedom
+
+  double x = 0;                      ///< [m]
+  double weight = 0;                 ///< [m]
+  std::array<int, dofs> dof{};       ///< numbers of the degrees of freedom
+  std::array<double, dofs> shape{};  ///< N at x
+  double rigid = 0;                  ///< r at x, see BeamSystem
+};
+
+/// What a coefficient c(x) per length does to the beam: int c N N^T dx, and int c N r dx for the
+/// rigid motion r with the support.
+struct Distributed {
+  SymmetricBand matrix;     ///< int c N N^T dx
+  Eigen::VectorXd support;  ///< int c N r dx
+};
+
+/// The liquid around a beam. What it does depends on frequency and radius; the radius enters
+/// through values at a few nodes a_k and the matrices of Lagrange's polynomials l_k(ln a(x)), one
+/// node for a cylinder. So a viscous load f(s, a) per length and velocity is sum_k f(s, a_k)
+/// share[k].
+struct Immersion {
+  BathModel model = BathModel::none;  ///< how it acts
+  Liquid liquid;                      ///< what it is
+  double angular_frequency = 0;       ///< of BathModel::constant [rad/s]
+  std::vector<double> radius;         ///< a_k [m]; empty: nothing is immersed
+  std::vector<Distributed> share;     ///< of l_k [m]
+  Distributed displaced;              ///< of the displaced liquid's mass, rho pi a^2 [kg]
+  /// Where the quadratic drag acts; the weights are rho C_D a [kg]. Empty: there is none.
+  std::vector<QuadraturePoint> drag;
+
+  bool acts() const { return !radius.empty(); }  ///< whether there is any liquid
+};
+
 /// Semi-discrete equations of a beam on a moving support, in coordinates *relative* to the support:
 ///
 ///     v(x, t) = v*(x, t) + r(x) g(t)                                              (5.73), (5.75)
@@ -23,33 +62,44 @@ enum class Supports {
 /// r(x) is the rigid motion that unit displacement of the support causes (1 clamped, 1 - x/l
 /// pinned), which strains nothing, so g itself loads nothing. The degrees of freedom q are
 /// deflection [m] and rotation [rad] at the vertices from x = 0 to x = length, without the
-/// essential ones. Damping acts on the relative motion.
+/// essential ones. This damping acts on the relative motion; the liquid of `immersion` acts on the
+/// absolute one, v.
 struct BeamSystem {
   SymmetricBand mass;            ///< consistent M: [kg], [kg m], [kg m^2]
   SymmetricBand stiffness;       ///< K: [N/m], [N], [N m]
   double damping_alpha = 0;      ///< [1/s]
   double damping_beta = 0;       ///< [s]
+  double loss_factor = 0;        ///< tan(delta) of K
+  double loss_frequency = 0;     ///< angular frequency at which K is the storage stiffness [rad/s]
   Eigen::VectorXd support_mass;  ///< m: inertia felt when the support accelerates [kg], [kg m]
   std::vector<bool> rotation;    ///< which degrees of freedom are rotations, not deflections
   Eigen::VectorXd observation;   ///< v* at the observed point is observation . q
   double support_share = 1;      ///< r at the observed point
-  double element_length = 0;     ///< [m]
+  double element_length = 0;     ///< mean [m]
+  Immersion immersion{};         ///< the liquid around the beam, if any
 
   int size() const { return mass.size(); }  ///< number of degrees of freedom
 };
 
 /// Everything about a beam but its section.
 struct BeamLayout {
-  int elements = 20;                           ///< of equal length
+  int elements = 20;                           ///< of equal length, but for breaks of the section
   Supports supports = Supports::clamped_free;  ///< how the beam is held
   double observed_at = 0;                      ///< x of the point whose motion is recorded [m]
 };
 
-/// Hermite cubic Euler-Bernoulli elements (5.57) on a uniform mesh; EI and rho_bar at five Gauss
-/// points per element, exact for linearly tapering diameters. Throws std::invalid_argument for a
-/// section without positive length, rigidity and mass, no elements or an observed point outside the
-/// beam.
+/// Hermite cubic Euler-Bernoulli elements (5.57), evenly long between the section's breaks; EI and
+/// rho_bar at five Gauss points per element, exact for linearly tapering diameters. Throws
+/// std::invalid_argument for a section without positive length, rigidity and mass, no elements or
+/// an observed point outside the beam.
 BeamSystem assemble(const Section& section, const BeamLayout& layout);
+
+/// The points at which `assemble` evaluates the section, from x = 0 on. Throws as it does.
+std::vector<QuadraturePoint> quadrature_points(const Section& section, const BeamLayout& layout);
+
+/// What a coefficient per length comes to for a beam of `size` degrees of freedom.
+Distributed distribute(const std::vector<QuadraturePoint>& points, int size,
+                       const std::function<double(double)>& coefficient);
 
 /// The pipette clamped at its shank, observed at its tip.
 BeamSystem cantilever(const Pipette& pipette);

@@ -23,7 +23,7 @@ struct Newmark {
 };
 
 /// Modal superposition, exact in time for any support motion here, with or without Rayleigh
-/// damping.
+/// damping, and in a bath of BathModel::per_mode.
 struct Modal {
   int modes = 0;  ///< the lowest ones are kept; 0 keeps all
 };
@@ -45,8 +45,12 @@ struct Arkode {
   RungeKutta method = RungeKutta::explicit_8;  ///< family of Runge-Kutta methods
 };
 
+/// By the inverse Laplace transform of the beam's transfer function (`integrate_by_transform`): the
+/// bath has its load at every frequency, without Maxwell elements.
+struct Transform {};
+
 /// How the equations are integrated in time, with its parameters.
-using Integrator = std::variant<Newmark, Modal, Arkode>;
+using Integrator = std::variant<Newmark, Modal, Arkode, Transform>;
 
 /// Number of samples, that at t = 0 included. Throws std::invalid_argument for a step or an end
 /// that is not positive, or more than a hundred million samples.

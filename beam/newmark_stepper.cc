@@ -5,57 +5,114 @@
 
 namespace zona::beam {
 
-NewmarkStepper::NewmarkStepper(const BeamSystem& system, const SupportMotion& motion, double step)
-    : system_(system),
+NewmarkStepper::NewmarkStepper(const BeamSystem& system, const SupportMotion& motion, double step,
+                               const FrequencySpan& span)
+    : beam_(transient_beam(system, span)),
+      observation_(system.observation),
       motion_(motion),
       greatest_step_(step),
+      support_velocity_(motion),
+      drag_(beam_),
+      memory_(Eigen::MatrixXd::Zero(system.size(), beam_.memories())),
+      support_memory_(Eigen::ArrayXd::Zero(beam_.memories())),
       operator_(system.size()),
-      mass_factor_(system.mass),
-      kick_(system.support_mass),
+      mass_factor_(beam_.mass),
+      kick_(beam_.support_mass),
       displacement_(Eigen::VectorXd::Zero(system.size())),
       velocity_(displacement_),
       acceleration_(displacement_),
-      combined_(displacement_),
+      predicted_(displacement_),
+      remembered_(displacement_),
       product_(displacement_) {
   mass_factor_.solve_in_place(kick_);
-  solve_acceleration(mass_factor_, 0, displacement_, velocity_, acceleration_);
+  settle(0);
 }
 
 void NewmarkStepper::set_state(double time, const Eigen::VectorXd& displacement,
                                const Eigen::VectorXd& velocity) {
   displacement_ = displacement;
   velocity_ = velocity;
-  solve_acceleration(mass_factor_, time, displacement_, velocity_, acceleration_);
+  settle(time);
 }
 
 void NewmarkStepper::factorise(double step) {
-  // M + h/2 C + h^2/4 K with C = alpha M + beta K.
-  operator_.combine(1 + step / 2 * system_.damping_alpha, system_.mass,
-                    step / 2 * system_.damping_beta + step * step / 4, system_.stiffness);
-  operator_factor_.factorise(operator_);
   step_ = step;
+  operator_.combine(1, beam_.mass, step * step / 4, beam_.stiffness);
+  if (beam_.is_damped) operator_.accumulate(step / 2, beam_.damping);
+  if (beam_.memories() > 0) {
+    // y' = q' - p y with a velocity that goes linearly from v0 to v1 in a step.
+    const Eigen::ArrayXd z = beam_.rate * step;
+    const Eigen::ArrayXd mean = -(-z).unaryExpr([](double x) { return std::expm1(x); }) / z;
+    kept_ = (-z).exp();
+    // (1 - mean) / z loses its digits for small z; there the series is exact.
+    from_new_ = (z < 1e-3).select(step * (0.5 - z / 6 + z * z / 24), step * (1 - mean) / z);
+    from_old_ = step * mean - from_new_;
+    for (std::size_t k = 0; k < beam_.basis.size(); ++k) {
+      const double share = (beam_.weight.col(k).array() * from_new_).sum();
+      operator_.accumulate(step / 2 * share, beam_.basis[k]);
+    }
+  }
+  if (!drag_.acts()) operator_factor_.factorise(operator_);
 }
 
-void NewmarkStepper::solve_acceleration(const BandFactor& factor, double time,
-                                        const Eigen::VectorXd& displacement,
-                                        const Eigen::VectorXd& velocity,
-                                        Eigen::VectorXd& acceleration) {
-  combined_ = displacement + system_.damping_beta * velocity;
-  system_.stiffness.multiply(combined_, acceleration);
-  acceleration = -acceleration - smooth_acceleration(motion_, time) * system_.support_mass;
-  if (system_.damping_alpha != 0) {
-    system_.mass.multiply(velocity, product_);
-    acceleration -= system_.damping_alpha * product_;
+void NewmarkStepper::compute_force(double time, const Eigen::VectorXd& displacement,
+                                   const Eigen::VectorXd& velocity, Eigen::VectorXd& force) {
+  beam_.stiffness.multiply(displacement, force);
+  force = -force - smooth_acceleration(motion_, time) * beam_.support_mass;
+  if (!beam_.is_damped) return;
+  beam_.damping.multiply(velocity, product_);
+  force -= product_ + support_velocity_.now() * beam_.support_damping;
+  for (std::size_t k = 0; k < beam_.basis.size(); ++k) {
+    const auto weight = beam_.weight.col(k);
+    remembered_.noalias() = memory_ * weight;
+    beam_.basis[k].multiply(remembered_, product_);
+    force -= product_ + weight.dot(support_memory_.matrix()) * beam_.support[k];
   }
-  factor.solve_in_place(acceleration);
+}
+
+void NewmarkStepper::settle(double time) {
+  compute_force(time, displacement_, velocity_, acceleration_);
+  if (drag_.acts()) {
+    drag_.linearise(velocity_, support_velocity_.now());
+    product_.setZero();
+    drag_.add_force(velocity_, support_velocity_.now(), product_);
+    acceleration_ -= product_;
+  }
+  mass_factor_.solve_in_place(acceleration_);
+}
+
+void NewmarkStepper::advance_memories(double support_velocity, const Eigen::VectorXd& velocity) {
+  for (int j = 0; j < beam_.memories(); ++j)
+    memory_.col(j) = kept_(j) * memory_.col(j) + from_old_(j) * velocity_ + from_new_(j) * velocity;
+  support_memory_ =
+      kept_ * support_memory_ + from_old_ * support_velocity + from_new_ * support_velocity_.now();
 }
 
 void NewmarkStepper::step_to(double time) {
-  displacement_ += step_ * velocity_ + step_ * step_ / 4 * acceleration_;
-  velocity_ += step_ / 2 * acceleration_;
-  solve_acceleration(operator_factor_, time, displacement_, velocity_, acceleration_);
-  displacement_ += step_ * step_ / 4 * acceleration_;
-  velocity_ += step_ / 2 * acceleration_;
+  const double h = step_;
+  displacement_ += h * velocity_ + h * h / 4 * acceleration_;
+  predicted_ = velocity_ + h / 2 * acceleration_;
+  const double support_before = support_velocity_.now();
+  support_velocity_.advance(time);
+  if (beam_.memories() > 0) advance_memories(support_before, predicted_);
+  if (drag_.acts()) {
+    remembered_ = velocity_ + h * acceleration_;
+    drag_.linearise(remembered_, support_velocity_.now());
+    SymmetricBand with_drag = operator_;
+    with_drag.accumulate(h / 2, drag_.matrix());
+    operator_factor_.factorise(with_drag);
+  }
+  velocity_ = predicted_;
+  compute_force(time, displacement_, velocity_, acceleration_);
+  if (drag_.acts()) {
+    product_.setZero();
+    drag_.add_force(velocity_, support_velocity_.now(), product_);
+    acceleration_ -= product_;
+  }
+  operator_factor_.solve_in_place(acceleration_);
+  displacement_ += h * h / 4 * acceleration_;
+  velocity_ += h / 2 * acceleration_;
+  for (int j = 0; j < beam_.memories(); ++j) memory_.col(j) += h / 2 * from_new_(j) * acceleration_;
 }
 
 void NewmarkStepper::advance(double from, double to) {
@@ -69,19 +126,20 @@ void NewmarkStepper::advance(double from, double to) {
 
 void NewmarkStepper::kick(double time, double velocity_jump) {
   velocity_ -= velocity_jump * kick_;
-  solve_acceleration(mass_factor_, time, displacement_, velocity_, acceleration_);
+  support_velocity_.kick(velocity_jump);
+  settle(time);
 }
 
 RelativeMotion NewmarkStepper::observed() const {
-  return {system_.observation.dot(displacement_), system_.observation.dot(velocity_),
-          system_.observation.dot(acceleration_)};
+  return {observation_.dot(displacement_), observation_.dot(velocity_),
+          observation_.dot(acceleration_)};
 }
 
 double NewmarkStepper::energy() const {
   Eigen::VectorXd product(displacement_.size());
-  system_.mass.multiply(velocity_, product);
+  beam_.mass.multiply(velocity_, product);
   double energy = velocity_.dot(product) / 2;
-  system_.stiffness.multiply(displacement_, product);
+  beam_.stiffness.multiply(displacement_, product);
   energy += displacement_.dot(product) / 2;
   return energy;
 }

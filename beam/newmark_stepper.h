@@ -7,15 +7,21 @@
 #include "beam/march.h"
 #include "beam/support_motion.h"
 #include "beam/symmetric_band.h"
+#include "beam/transient_beam.h"
 
 namespace zona::beam {
 
-/// Newmark's average-acceleration method for `march`. Keeps references to the system and the
-/// motion.
+/// Newmark's average-acceleration method for `march`. Memories of Maxwell elements are exact for
+/// velocities that change linearly in a step; a quadratic drag is taken at predicted velocities.
+/// Keeps a reference to the motion.
 class NewmarkStepper {
  public:
   /// `step` [s] is the greatest step; a shorter span is cut into equal steps no longer than that.
-  NewmarkStepper(const BeamSystem& system, const SupportMotion& motion, double step);
+  /// The lowest and highest frequencies that matter are `span`'s.
+  NewmarkStepper(const BeamSystem& system, const SupportMotion& motion, double step,
+                 const FrequencySpan& span = {1, 1e7});
+  NewmarkStepper(const NewmarkStepper&) = delete;
+  NewmarkStepper& operator=(const NewmarkStepper&) = delete;
 
   /// @{
   /// What `march` asks of a stepper: goes from one instant to another [s]; changes the velocity at
@@ -35,21 +41,30 @@ class NewmarkStepper {
  private:
   void factorise(double step);
   void step_to(double time);
-  /// Solves (M or the factorised operator) x = -m g'' - C velocity - K displacement into x.
-  void solve_acceleration(const BandFactor& factor, double time,
-                          const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity,
-                          Eigen::VectorXd& acceleration);
+  /// -m g'' - C v - K q - memories [N], [N m], without the quadratic drag.
+  void compute_force(double time, const Eigen::VectorXd& displacement,
+                     const Eigen::VectorXd& velocity, Eigen::VectorXd& force);
+  /// The acceleration now, by M alone: at the start and after a kick.
+  void settle(double time);
+  /// Memories at the end of a step at which the velocity is `velocity`.
+  void advance_memories(double support_velocity, const Eigen::VectorXd& velocity);
 
-  const BeamSystem& system_;
+  TransientBeam beam_;
+  Eigen::VectorXd observation_;
   const SupportMotion& motion_;
   double greatest_step_;
   double step_ = 0;
-  SymmetricBand operator_;
+  SupportVelocity support_velocity_;
+  QuadraticDrag drag_;
+  Eigen::ArrayXd kept_, from_old_, from_new_;  ///< of a memory and of both velocities in a step
+  Eigen::MatrixXd memory_;                     ///< y_j, a column each
+  Eigen::ArrayXd support_memory_;              ///< z_j
+  SymmetricBand operator_;  ///< M + h/2 C + h^2/4 K and the share of memories, without drag
   BandFactor operator_factor_;
   BandFactor mass_factor_;
   Eigen::VectorXd kick_;  ///< M^-1 m
   Eigen::VectorXd displacement_, velocity_, acceleration_;
-  Eigen::VectorXd combined_, product_;
+  Eigen::VectorXd predicted_, remembered_, product_;
 };
 
 }  // namespace zona::beam

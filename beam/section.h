@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 namespace zona::beam {
 
@@ -10,6 +11,9 @@ struct Section {
   double length = 0;                                ///< [m]
   std::function<double(double)> flexural_rigidity;  ///< EI(x) [N m^2]
   std::function<double(double)> mass_per_length;    ///< rho_bar(x) [kg/m]
+  /// Where something jumps or kinks [m], in any order: elements end there. Those outside the beam
+  /// or nearer than 1e-6 lengths to its ends or to another are left out.
+  std::vector<double> breaks{};
 };
 
 /// Beam with the same cross-section everywhere: what the analytic solutions of 5.5 need.

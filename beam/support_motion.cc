@@ -118,15 +118,61 @@ double peak_velocity_of(const SineMotion& motion) {
   return std::abs(motion.amplitude) * motion.angular_frequency;
 }
 
+void check_pulse(const char* name, double peak, double duration) {
+  require(is_positive(duration),
+          fmt::format("{} pulse: duration is {} s, but it must be greater than 0", name, duration));
+  require(std::isfinite(peak),
+          fmt::format("{} pulse: peak is {} m, but it must be finite", name, peak));
+}
+
 }  // namespace
 
 SupportMotion triangular_pulse(double peak, double duration) {
-  require(
-      is_positive(duration),
-      fmt::format("triangular pulse: duration is {} s, but it must be greater than 0", duration));
-  require(std::isfinite(peak),
-          fmt::format("triangular pulse: peak is {} m, but it must be finite", peak));
+  check_pulse("triangular", peak, duration);
   return SampledMotion{{0, duration / 2, duration}, {0, peak, 0}};
+}
+
+SupportMotion trapezoidal_pulse(double peak, double duration, double rise) {
+  check_pulse("trapezoidal", peak, duration);
+  require(is_positive(rise) && 2 * rise <= duration * (1 + 1e-12),
+          fmt::format("trapezoidal pulse: a rise of {} s, but it must be above 0 and at most half "
+                      "the duration, {} s",
+                      rise, duration / 2));
+  if (2 * rise >= duration * (1 - 1e-12)) return triangular_pulse(peak, duration);
+  return SampledMotion{{0, rise, duration - rise, duration}, {0, peak, peak, 0}};
+}
+
+SupportMotion half_sine_pulse(double peak, double duration) {
+  check_pulse("half-sine", peak, duration);
+  constexpr int pieces = 128;
+  SampledMotion motion;
+  for (int i = 0; i <= pieces; ++i) {
+    motion.time.push_back(duration * i / pieces);
+    motion.displacement.push_back(i % pieces == 0 ? 0 : peak * std::sin(M_PI * i / pieces));
+  }
+  return motion;
+}
+
+SupportMotion pulse_train(const SupportMotion& pulse, int count, double period) {
+  check(pulse);
+  const auto* one = std::get_if<SampledMotion>(&pulse);
+  require(one != nullptr && one->displacement.back() == 0,
+          "pulse train: only pulses that end where they began can be repeated");
+  require(count >= 1, fmt::format("pulse train: {} pulses, but at least 1 is needed", count));
+  require(
+      count == 1 || period >= one->time.back() - one->time.front(),
+      fmt::format("pulse train: a pulse of {} s every {} s; lower the rate or shorten the pulse",
+                  one->time.back() - one->time.front(), period));
+  SampledMotion train;
+  for (int n = 0; n < count; ++n)
+    for (std::size_t i = 0; i < one->time.size(); ++i) {
+      const double time = n * period + one->time[i];
+      // Where a pulse begins as the one before it ends, the two share a sample.
+      if (!train.time.empty() && time <= train.time.back() * (1 + 1e-12)) continue;
+      train.time.push_back(time);
+      train.displacement.push_back(one->displacement[i]);
+    }
+  return train;
 }
 
 void check(const SupportMotion& motion) {

@@ -43,6 +43,10 @@ void SymmetricBand::combine(double a, const SymmetricBand& A, double b, const Sy
   for (int k = 0; k <= kHalfBandwidth; ++k) diagonal_[k] = a * A.diagonal_[k] + b * B.diagonal_[k];
 }
 
+void SymmetricBand::accumulate(double a, const SymmetricBand& A) {
+  for (int k = 0; k <= kHalfBandwidth; ++k) diagonal_[k] += a * A.diagonal_[k];
+}
+
 Eigen::MatrixXd SymmetricBand::dense() const {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
   for (int row = 0; row < size(); ++row)

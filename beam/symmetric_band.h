@@ -29,6 +29,12 @@ class SymmetricBand {
   /// this = a A + b B of two matrices of this size, without allocating.
   void combine(double a, const SymmetricBand& A, double b, const SymmetricBand& B);
 
+  /// this += a A, without allocating.
+  void accumulate(double a, const SymmetricBand& A);
+
+  /// Entries (i, i - k) of the diagonal k <= kHalfBandwidth; its first k values are zero.
+  const Eigen::VectorXd& diagonal(int k) const { return diagonal_[k]; }
+
   /// The same as a full matrix.
   Eigen::MatrixXd dense() const;
 

@@ -1,8 +1,81 @@
 #include "studies/beam_parameters.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
+#include "coupling/tip_trace.h"
+#include "studies/blame.h"
+#include "studies/table_file.h"
+
 namespace zona::studies {
+
+namespace {
+
+/// The diameters along the axis; empty where they are those of the tip everywhere.
+std::vector<beam::Diameters> profile_from(const Configuration& study, const std::string& section,
+                                          const beam::Pipette& pipette) {
+  const auto file = study.path(section + ".profile");
+  if (!file.empty()) {
+    const auto table =
+        read_table(file.string(), {{"distance", "m"}, {"outer", "m"}, {"inner", "m"}});
+    std::vector<beam::Diameters> profile;
+    for (std::size_t i = 0; i < table[0].size(); ++i)
+      profile.push_back({table[0][i], table[1][i], table[2][i]});
+    const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-3 * b; };
+    const beam::Diameters& tip = profile.front();
+    if (differs(tip.outer, pipette.outer_diameter) || differs(tip.inner, pipette.inner_diameter))
+      throw std::invalid_argument(fmt::format(
+          "its tip has diameters of {:g} and {:g} um, but [pipette] says {:g} and {:g} um; make "
+          "pipette.outer_diameter and pipette.inner_diameter those of the profile",
+          tip.outer * 1e6, tip.inner * 1e6, pipette.outer_diameter * 1e6,
+          pipette.inner_diameter * 1e6));
+    return profile;
+  }
+  const bool keeps_outer = study.is_auto(section + ".shoulder_outer_diameter");
+  const bool keeps_ratio = study.is_auto(section + ".shoulder_inner_diameter");
+  if (keeps_outer && keeps_ratio) return {};
+  const double outer =
+      keeps_outer ? pipette.outer_diameter : study.quantity(section + ".shoulder_outer_diameter");
+  const double inner = keeps_ratio ? outer * pipette.inner_diameter / pipette.outer_diameter
+                                   : study.quantity(section + ".shoulder_inner_diameter");
+  return {{0, pipette.outer_diameter, pipette.inner_diameter}, {pipette.length, outer, inner}};
+}
+
+/// `end`, or the support for "auto".
+double end_of(const Configuration& study, const std::string& key, double length) {
+  return study.is_auto(key) ? length : study.quantity(key);
+}
+
+void fill(const Configuration& study, double density, beam::Pipette& pipette) {
+  const double start = study.quantity("fill.start");
+  const double end = end_of(study, "fill.end", pipette.length);
+  if (start == 0 && end >= pipette.length) {
+    pipette.fill_density = density;
+  } else {
+    pipette.columns.push_back({start, end, density});
+  }
+  for (const Table& column : study.items("column"))
+    pipette.columns.push_back({column.quantity("start"),
+                               end_of(study, column.key("end"), pipette.length),
+                               column.quantity("fluid")});
+}
+
+beam::Bath bath_from(const Configuration& study) {
+  beam::Bath bath;
+  const std::string& model = study.choice("bath.model");
+  if (model == "frequency") bath.model = beam::BathModel::frequency;
+  if (model == "per_mode") bath.model = beam::BathModel::per_mode;
+  if (model == "constant") bath.model = beam::BathModel::constant;
+  bath.liquid = {study.quantity("bath.density"), study.quantity("bath.viscosity")};
+  bath.immersed_length = study.quantity("bath.immersed_length");
+  bath.frequency = study.quantity("bath.frequency");
+  bath.drag_coefficient = study.number("bath.drag_coefficient");
+  return bath;
+}
+
+}  // namespace
 
 beam::Pipette pipette_from(const Configuration& study, const std::string& section,
                            double fill_density) {
@@ -12,16 +85,51 @@ beam::Pipette pipette_from(const Configuration& study, const std::string& sectio
   pipette.inner_diameter = study.quantity("pipette.inner_diameter");
   pipette.youngs_modulus = study.quantity(section + ".youngs_modulus");
   pipette.density = study.quantity("pipette.density");
-  pipette.fill_density = fill_density;
   pipette.elements = static_cast<int>(study.integer(section + ".elements"));
   pipette.damping_alpha = study.quantity(section + ".rayleigh_alpha");
   pipette.damping_beta = study.quantity(section + ".rayleigh_beta");
+  pipette.loss_factor = study.number(section + ".loss_factor");
+  pipette.loss_frequency = study.quantity(section + ".loss_frequency");
+  pipette.profile =
+      blaming(study, section + ".profile", [&] { return profile_from(study, section, pipette); });
+  fill(study, fill_density, pipette);
+  pipette.bath = bath_from(study);
   try {
     beam::check(pipette);
   } catch (const std::invalid_argument& error) {
     throw InputError(std::vector<Problem>{study.problem(section + ".length", error.what())});
   }
   return pipette;
+}
+
+double support_peak(const Configuration& study) {
+  if (!study.is_auto("pulse.peak")) return study.quantity("pulse.peak");
+  return study.quantity("pulse.voltage") * study.quantity("pulse.gain");
+}
+
+beam::SupportMotion support_motion(const Configuration& study, double duration) {
+  const std::string& shape = study.choice("pulse.shape");
+  const double peak = support_peak(study);
+  beam::SupportMotion pulse;
+  if (shape == "trapezoid") {
+    pulse = beam::trapezoidal_pulse(peak, duration, duration * study.number("pulse.rise_fraction"));
+  } else if (shape == "half_sine") {
+    pulse = beam::half_sine_pulse(peak, duration);
+  } else if (shape == "trace") {
+    pulse = blaming(study, "pulse.trace", [&] {
+      const auto trace = coupling::read_tip_trace_csv(study.path("pulse.trace").string());
+      const beam::SupportMotion motion = beam::SampledMotion{trace.time, trace.displacement};
+      beam::check(motion);
+      return motion;
+    });
+  } else {
+    pulse = beam::triangular_pulse(peak, duration);
+  }
+  const int count = static_cast<int>(study.integer("pulse.count"));
+  if (count == 1) return pulse;
+  return blaming(study, "pulse.repetition_rate", [&] {
+    return beam::pulse_train(pulse, count, 1 / study.quantity("pulse.repetition_rate"));
+  });
 }
 
 beam::Sampling sampling_from(const Configuration& study, const std::string& section) {
@@ -32,9 +140,12 @@ beam::Integrator integrator_from(const Configuration& study, const std::string& 
                                  const beam::Pipette& pipette) {
   const std::string& name = study.choice(section + ".integrator");
   if (name == "modal") return beam::Modal{};
+  if (name == "transform") return beam::Transform{};
   if (name == "newmark") return beam::Newmark{};
-  const auto method =
-      pipette.damping_beta > 0 ? beam::RungeKutta::implicit_5 : beam::RungeKutta::explicit_8;
+  // Maxwell elements relax within nanoseconds.
+  const bool is_stiff = pipette.damping_beta > 0 || pipette.loss_factor > 0 ||
+                        pipette.bath.model != beam::BathModel::none;
+  const auto method = is_stiff ? beam::RungeKutta::implicit_5 : beam::RungeKutta::explicit_8;
   return beam::Arkode{study.number(section + ".relative_tolerance"),
                       study.quantity(section + ".absolute_tolerance"), method};
 }

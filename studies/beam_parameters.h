@@ -4,15 +4,23 @@
 
 #include "beam/integrate.h"
 #include "beam/pipette.h"
+#include "beam/support_motion.h"
 #include "studies/configuration.h"
 
 namespace zona::studies {
 
-/// The pipette of a study, filled with a fluid of the given density [kg/m^3]: its bore and glass
-/// density stand in section [pipette], the rest in `section`. Throws InputError for a pipette that
-/// is no beam.
+/// The pipette of a study, filled with a fluid of the given density [kg/m^3] where [fill] says: its
+/// bore and glass density stand in section [pipette], the rest in `section`, [[column]] and [bath].
+/// Throws InputError for a pipette that is no beam, or a profile that cannot be read.
 beam::Pipette pipette_from(const Configuration& study, const std::string& section,
                            double fill_density);
+
+/// Peak displacement of the support [m]: pulse.peak, or for "auto" voltage times gain.
+double support_peak(const Configuration& study);
+
+/// The motion of the support that [pulse] describes, with this duration [s] of each pulse. Throws
+/// InputError for a trace that cannot be read or a train that overlaps itself.
+beam::SupportMotion support_motion(const Configuration& study, double duration);
 
 /// The samples and the integrator declared in a section by `declare_beam_integration`. With
 /// stiffness-proportional damping ARKODE is implicit, because the system is then stiff.

@@ -11,6 +11,7 @@ Schema make_comparison_schema() {
                 "(sections 5.4 and 5.5 joined).");
   schema.section("fill", "What fills the bore of the pipette.");
   declare_fill_fluids(schema);
+  declare_fill_place(schema);
   schema.section("motion", "How the tip of the injection pipette moves: always as its beam.");
   schema.choice("motion.kind", {"beam"}).doc("The tip of the beam in [beam].");
   schema.choice("motion.axis", {"lateral"}).doc("A beam moves its tip across itself.");
@@ -31,6 +32,10 @@ Schema make_comparison_schema() {
   schema.check([](const Configuration& study, const Complain& complain) {
     check_steps("beam.step", "beam.end", study, complain);
   });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_beam_details("beam", "beam", study, complain);
+  });
+  schema.check(check_pulse);
   schema.check([](const Configuration& study, const Complain& complain) {
     check_distinct("fill.fluids", study, complain);
   });

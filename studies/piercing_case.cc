@@ -135,7 +135,8 @@ void set_motion(const Configuration& study, PiercingCase& c) {
                                 study.quantity("motion.ramp")});
   } else if (kind == "beam") {
     c.tip_history = beam_tip_history(study, c.fluid_density);
-    c.support_peak = study.quantity("pulse.peak");
+    c.support_peak =
+        beam::peak_displacement(support_motion(study, study.quantity("pulse.duration")));
     drive_by_history(study, c);
   } else {
     c.tip_history = blaming(study, "motion.trace",
@@ -148,8 +149,7 @@ void set_motion(const Configuration& study, PiercingCase& c) {
 
 beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density) {
   const beam::Pipette pipette = pipette_from(study, "beam", fluid_density);
-  const auto pulse =
-      beam::triangular_pulse(study.quantity("pulse.peak"), study.quantity("pulse.duration"));
+  const beam::SupportMotion pulse = support_motion(study, study.quantity("pulse.duration"));
   return beam::integrate(beam::cantilever(pipette), pulse, sampling_from(study, "beam"),
                          integrator_from(study, "beam", pipette));
 }

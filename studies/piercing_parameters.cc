@@ -180,9 +180,11 @@ void declare_window(Schema& schema) {
 void declare_beam_drive(Schema& schema) {
   schema.section("beam", "The pipette as a beam, which moves the tip when motion.kind = \"beam\".");
   declare_beam(schema, "beam", 80);
-  declare_beam_integration(schema, "beam", {"modal", "newmark", "arkode"});
+  declare_beam_integration(schema, "beam", {"modal", "newmark", "arkode", "transform"});
+  declare_columns(schema);
+  declare_bath(schema);
   schema.section("pulse", "The motion of the beam's support, when motion.kind = \"beam\".");
-  declare_pulse_form(schema, {"triangular"});
+  declare_pulse_form(schema, {"triangular", "trapezoid", "half_sine", "trace"});
   schema.quantity("pulse.duration", "s", "60 us").in("(0, 1]").doc("Duration of the pulse (5.4).");
 }
 

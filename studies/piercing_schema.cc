@@ -54,7 +54,10 @@ void check_axis(const Configuration& study, const Complain& complain) {
 }
 
 void check_beam_steps(const Configuration& study, const Complain& complain) {
-  if (study.choice("motion.kind") == "beam") check_steps("beam.step", "beam.end", study, complain);
+  if (study.choice("motion.kind") != "beam") return;
+  check_steps("beam.step", "beam.end", study, complain);
+  check_beam_details("beam", "beam", study, complain);
+  check_pulse(study, complain);
 }
 
 void check_ramp(const Configuration& study, const Complain& complain) {
@@ -92,6 +95,7 @@ Schema make_piercing_schema() {
       .in("[0, 30000]")
       .or_named(fill_fluids())
       .doc("The fluid, by name (Table 5.7) or by density; adds mass to the tip and to the beam.");
+  declare_fill_place(schema);
   declare_holding_plate(schema);
   declare_beam_drive(schema);
   declare_piercing_numerics(schema);

@@ -43,6 +43,98 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
   schema.quantity(section + ".rayleigh_beta", "s", "0 s")
       .in("[0, 1]")
       .doc("Stiffness-proportional Rayleigh damping; the source has none.");
+  schema.number(section + ".loss_factor", 0)
+      .in("[0, 10]")
+      .doc(
+          "Loss factor tan(delta) of the glass, the same at all frequencies; the source has none.");
+  schema.quantity(section + ".loss_frequency", "Hz", "10 kHz")
+      .in("(0, 1e9]")
+      .doc("Frequency at which youngs_modulus is the storage modulus of a lossy glass.");
+  schema.quantity(section + ".shoulder_outer_diameter", "m", "auto")
+      .in("(0, 0.01]")
+      .or_auto()
+      .doc(
+          "Outer diameter at the support, from which the pipette tapers evenly to the tip; "
+          "\"auto\" "
+          "is the tip's.");
+  schema.quantity(section + ".shoulder_inner_diameter", "m", "auto")
+      .in("[0, 0.01]")
+      .or_auto()
+      .doc("Inner diameter at the support; \"auto\" keeps the ratio to the outer one of the tip.");
+  schema.file(section + ".profile", "")
+      .doc(
+          "CSV file of diameters along the axis instead of an even taper, with the headings "
+          "`distance "
+          "[mm], outer [um], inner [um]` (any units of length); distances count from the tip, "
+          "where "
+          "the diameters must be those of [pipette].");
+}
+
+void declare_columns(Schema& schema) {
+  schema.list(
+      "column",
+      "A part of the bore that another fluid than that of [fill] fills; later ones overwrite "
+      "earlier ones.",
+      0, false);
+  schema.quantity("column.fluid", "kg/m^3", "water")
+      .in("[0, 30000]")
+      .or_named(fill_fluids())
+      .doc("The fluid, by name or by density.");
+  schema.quantity("column.start", "m", "0 mm").in("[0, 1]").doc("Where it begins, from the tip.");
+  schema.quantity("column.end", "m", "auto")
+      .in("(0, 1]")
+      .or_auto()
+      .doc("Where it ends, from the tip; \"auto\" at the support.");
+}
+
+void declare_fill_place(Schema& schema) {
+  schema.quantity("fill.start", "m", "0 mm")
+      .in("[0, 1]")
+      .doc(
+          "Where in the bore the fluid begins, from the tip. In practice mercury stands far "
+          "upstream: "
+          "its 0.5 to 1 uL are a thousand times what the free length of such a bore holds.");
+  schema.quantity("fill.end", "m", "auto")
+      .in("(0, 1]")
+      .or_auto()
+      .doc("Where the fluid ends, from the tip; \"auto\" at the support.");
+}
+
+void declare_bath(Schema& schema) {
+  schema.section("bath",
+                 "The liquid that the pipette dips into, tip first, while it vibrates. The source "
+                 "vibrates it in air.");
+  schema.choice("bath.model", {"none", "frequency", "per_mode", "constant"})
+      .doc(
+          "None, as the source; the added mass and drag of a cylinder at every frequency (Sader "
+          "1998); for each mode those of its own frequency (integrator \"modal\"); or those of one "
+          "frequency.");
+  schema.quantity("bath.density", "kg/m^3", "1000 kg/m^3")
+      .in("(0, 30000]")
+      .doc("Density of the liquid.");
+  schema.quantity("bath.viscosity", "Pa s", "8.9e-4 Pa s")
+      .in("(0, 1e3]")
+      .doc("Shear viscosity of the liquid; water at 25 degrees Celsius.");
+  schema.quantity("bath.immersed_length", "m", "1 mm")
+      .in("[0, 1]")
+      .doc("How far the pipette dips in, from the tip; its length and more is all of it.");
+  schema.quantity("bath.frequency", "Hz", "10 kHz")
+      .in("(0, 1e9]")
+      .doc("The frequency of model = \"constant\"; the others ignore it.");
+  schema.number("bath.drag_coefficient", 0)
+      .in("[0, 100]")
+      .called("C_D")
+      .doc(
+          "Coefficient of a quadratic drag on top of the linear one, rho C_D D |v| v / 2; "
+          "integrators "
+          "\"newmark\" and \"arkode\" only. Of order one where the tip moves by more than its "
+          "diameter.");
+  schema.quantity("bath.wall_distance", "m", "auto")
+      .in("(0, 1]")
+      .or_auto()
+      .doc(
+          "Distance of the pipette's axis from the nearest wall, such as the dish's floor; only "
+          "warned of when it is too near. \"auto\" is far away.");
 }
 
 void declare_fill_fluids(Schema& schema) {
@@ -56,14 +148,43 @@ void declare_pulse_form(Schema& schema, const std::vector<std::string>& shapes) 
   const bool has_sine = std::find(shapes.begin(), shapes.end(), "sine") != shapes.end();
   const std::string sine = has_sine ? ", or a sine that starts at once (Figure 5.26)" : "";
   schema.choice("pulse.shape", shapes)
-      .doc("Form of the support's displacement: up and down at constant speed (Figure 5.27)" +
-           sine + ".");
+      .doc(
+          "Form of the support's displacement: up and down at constant speed (Figure 5.27); up, "
+          "held "
+          "and down; half a period of a sine; a recorded trace" +
+          sine + ".");
   schema.quantity("pulse.peak", "m", "17.9 um")
       .in("(0, 0.01]")
+      .or_auto()
       .doc(
           "Peak displacement of the support. Not given in the source; 17.9 um moves the tip of "
           "the mercury-filled pipette by its 13.5 um (5.4) when the beam is resolved (80 "
-          "elements).");
+          "elements). \"auto\" is voltage times gain.");
+  schema.quantity("pulse.voltage", "V", "10 V")
+      .in("(0, 1000]")
+      .doc("Setting of the controller; counts where peak = \"auto\".");
+  schema.quantity("pulse.gain", "m/V", "1.79 um/V")
+      .in("(0, 1e-3]")
+      .doc(
+          "Support displacement per voltage of the controller. The source calls this relation "
+          "unknown; 1.79 um/V is its 13.5 um of the tip at 10 V.");
+  schema.number("pulse.gain_uncertainty", 0.5)
+      .in("[0, 1)")
+      .doc(
+          "Relative uncertainty of the gain: displacements scale with it, so results that scale "
+          "are "
+          "told with this interval where peak = \"auto\".");
+  schema.number("pulse.rise_fraction", 0.25)
+      .in("(0, 0.5]")
+      .doc("Part of a trapezoid's duration in which it rises, and falls again.");
+  schema.integer("pulse.count", 1).in("[1, 100000]").doc("Pulses in a train, not of a sine.");
+  schema.quantity("pulse.repetition_rate", "Hz", "100 Hz")
+      .in("(0, 1e6]")
+      .doc("How often the pulses of a train begin.");
+  schema.file("pulse.trace", "")
+      .doc(
+          "CSV file of a measured motion of the support, `time [us], displacement [um]`, from 0; "
+          "needed by shape = \"trace\", which takes peaks and times from it.");
 }
 
 void declare_beam_integration(Schema& schema, const std::string& section,
@@ -78,7 +199,8 @@ void declare_beam_integration(Schema& schema, const std::string& section,
   schema.choice(section + ".integrator", integrators)
       .doc(
           "Newmark with average acceleration (as the source), SUNDIALS ARKODE with error control, "
-          "or modal superposition, which is exact in time for pulses with straight pieces.");
+          "modal superposition, which is exact in time for pulses with straight pieces, or the "
+          "inverse transform of the response to every frequency, which is exact for a bath, too.");
   schema.number(section + ".relative_tolerance", 1e-6)
       .in("(0, 1)")
       .doc("Relative error per step that arkode allows; the others ignore it.");
@@ -116,6 +238,58 @@ void declare_run(Schema& schema) {
   schema.integer("run.checkpoint_steps", 0)
       .in("[0, 1000000000]")
       .doc("Steps between two checkpoints, next to those by time; 0 makes none.");
+}
+
+void check_beam_details(const std::string& section, const std::string& time,
+                        const Configuration& study, const Complain& complain) {
+  const double length = study.quantity(section + ".length");
+  const auto check_span = [&](const std::string& start_key, const std::string& end_key) {
+    const double start = study.quantity(start_key);
+    const double end = study.is_auto(end_key) ? length : study.quantity(end_key);
+    if (start < end) return;
+    complain(study.is_auto(end_key) ? start_key : end_key,
+             fmt::format("the fluid begins {:g} mm from the tip and ends at {:g} mm; it must end "
+                         "beyond its beginning, and the pipette is {:g} mm long",
+                         start * 1e3, end * 1e3, length * 1e3));
+  };
+  check_span("fill.start", "fill.end");
+  for (std::size_t i = 0; i < study.item_count("column"); ++i)
+    check_span(fmt::format("column.{}.start", i), fmt::format("column.{}.end", i));
+  const std::string outer = section + ".shoulder_outer_diameter";
+  const std::string inner = section + ".shoulder_inner_diameter";
+  if (!study.path(section + ".profile").empty()) {
+    for (const std::string& key : {outer, inner})
+      if (!study.is_auto(key))
+        complain(key, fmt::format("is given beside {}.profile, which says the diameters already; "
+                                  "remove one of them",
+                                  section));
+  }
+  const std::string& model = study.choice("bath.model");
+  const std::string& integrator = study.choice(time + ".integrator");
+  if (model == "none") return;
+  const bool has_drag = study.number("bath.drag_coefficient") > 0;
+  if (model == "per_mode" && integrator != "modal")
+    complain("bath.model", fmt::format("per_mode is for {}.integrator = \"modal\"; choose that, or "
+                                       "model = \"frequency\"",
+                                       time));
+  if (model != "per_mode" && integrator == "modal")
+    complain(
+        time + ".integrator",
+        fmt::format("modal superposition takes bath.model = \"per_mode\" only; choose that, or "
+                    "integrator \"transform\" or \"newmark\" for \"{}\"",
+                    model));
+  if (has_drag && (integrator == "modal" || integrator == "transform"))
+    complain("bath.drag_coefficient",
+             "a quadratic drag is not linear; it needs the integrator \"newmark\" or \"arkode\"");
+}
+
+void check_pulse(const Configuration& study, const Complain& complain) {
+  if (study.choice("pulse.shape") == "trace" && study.path("pulse.trace").empty())
+    complain("pulse.trace",
+             "is missing; pulse.shape = \"trace\" needs the path of a CSV file; write e.g. "
+             "pulse.trace = \"support.csv\"");
+  if (study.choice("pulse.shape") == "sine" && study.integer("pulse.count") > 1)
+    complain("pulse.count", "a sine goes on without end; trains are made of the other shapes");
 }
 
 void check_distinct(const std::string& key, const Configuration& study, const Complain& complain) {

@@ -15,6 +15,11 @@ std::vector<NamedValue> fill_fluids();
 void declare_pipette_bore(Schema& schema, const std::string& section);
 void declare_beam(Schema& schema, const std::string& section, long elements);
 void declare_fill_fluids(Schema& schema);
+/// Where in the bore the fluid of [fill] stands, and the list of [[column]]s of other fluids.
+void declare_fill_place(Schema& schema);
+void declare_columns(Schema& schema);
+/// The section [bath]: the liquid that a beam dips into.
+void declare_bath(Schema& schema);
 void declare_pulse_form(Schema& schema, const std::vector<std::string>& shapes);
 /// The first of the integrators is the default.
 void declare_beam_integration(Schema& schema, const std::string& section,
@@ -25,6 +30,14 @@ void declare_run(Schema& schema);
 
 /// Complains unless the bore `section`.inner_diameter is narrower than the pipette.
 void check_bore(const std::string& section, const Configuration& study, const Complain& complain);
+
+/// Complains about a beam's taper, columns and bath where they contradict each other or its
+/// integrator, which stands in the section `time`.
+void check_beam_details(const std::string& section, const std::string& time,
+                        const Configuration& study, const Complain& complain);
+
+/// Complains about a pulse whose shape lacks something.
+void check_pulse(const Configuration& study, const Complain& complain);
 
 /// Complains about values that a list has twice; each makes a run with a name of its own.
 void check_distinct(const std::string& key, const Configuration& study, const Complain& complain);

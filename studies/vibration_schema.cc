@@ -22,9 +22,12 @@ Schema make_vibration_schema() {
 
   schema.section("fill", "What fills the bore.");
   declare_fill_fluids(schema);
+  declare_fill_place(schema);
+  declare_columns(schema);
+  declare_bath(schema);
 
   schema.section("pulse", "The lateral motion of the support.");
-  declare_pulse_form(schema, {"triangular", "sine"});
+  declare_pulse_form(schema, {"triangular", "trapezoid", "half_sine", "trace", "sine"});
   schema
       .quantities("pulse.durations", "s",
                   {"60 us", "120 us", "180 us", "240 us", "300 us", "360 us", "420 us", "480 us",
@@ -38,7 +41,7 @@ Schema make_vibration_schema() {
       .doc("Angular frequencies of a sine, one run each (Figure 5.26).");
 
   schema.section("time", "Time integration of the beam.");
-  declare_beam_integration(schema, "time", {"newmark", "arkode", "modal"});
+  declare_beam_integration(schema, "time", {"newmark", "arkode", "modal", "transform"});
 
   schema.section("output", "What is written into the run directory.");
   schema.boolean("output.history", true)
@@ -52,6 +55,10 @@ Schema make_vibration_schema() {
   schema.check([](const Configuration& study, const Complain& complain) {
     check_steps("time.step", "time.end", study, complain);
   });
+  schema.check([](const Configuration& study, const Complain& complain) {
+    check_beam_details("pipette", "time", study, complain);
+  });
+  schema.check(check_pulse);
   schema.check([](const Configuration& study, const Complain& complain) {
     check_distinct("fill.fluids", study, complain);
   });

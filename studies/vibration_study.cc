@@ -5,10 +5,13 @@
 #include <chrono>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "beam/modal_stepper.h"
 #include "beam/natural_modes.h"
 #include "studies/beam_parameters.h"
 #include "studies/history_file.h"
@@ -27,6 +30,7 @@ struct FilledPipette {
   beam::BeamSystem system;
   beam::Integrator integrator;
   std::vector<double> natural_frequencies;
+  std::vector<double> damping_ratios;
 };
 
 FilledPipette fill_pipette(const Configuration& study, double density) {
@@ -34,25 +38,96 @@ FilledPipette fill_pipette(const Configuration& study, double density) {
   const bool is_pinned = study.choice("pipette.supports") == "pinned";
   FilledPipette filled{is_pinned ? beam::simply_supported(pipette) : beam::cantilever(pipette),
                        integrator_from(study, "time", pipette),
+                       {},
                        {}};
-  const Eigen::VectorXd frequency = beam::natural_modes(filled.system).frequency();
-  const Eigen::Index count = std::min(frequency.size(), kReportedFrequencies);
-  filled.natural_frequencies.assign(frequency.data(), frequency.data() + count);
+  const beam::NaturalModes modes = beam::natural_modes(filled.system);
+  const Eigen::Index count = std::min(modes.angular_frequency.size(), kReportedFrequencies);
+  const beam::ModalOscillators lowest =
+      beam::oscillators(filled.system, modes, static_cast<int>(count));
+  for (Eigen::Index n = 0; n < count; ++n) {
+    filled.natural_frequencies.push_back(lowest.angular_frequency(n) / (2 * M_PI));
+    filled.damping_ratios.push_back(lowest.decay_rate(n) / lowest.angular_frequency(n));
+  }
   return filled;
 }
 
-beam::SupportMotion support_motion(const VibrationCase& setup, double peak) {
-  if (setup.angular_frequency > 0) return beam::SineMotion{peak, setup.angular_frequency};
-  return beam::triangular_pulse(peak, setup.pulse_duration);
+beam::SupportMotion motion_of(const VibrationCase& setup, const Configuration& study) {
+  if (setup.angular_frequency > 0)
+    return beam::SineMotion{support_peak(study), setup.angular_frequency};
+  return support_motion(study, setup.pulse_duration);
+}
+
+/// When a motion of straight pieces is at rest for good [s]; 0 for a sine.
+double end_of_pulse(const beam::SupportMotion& motion) {
+  const auto* pieces = std::get_if<beam::SampledMotion>(&motion);
+  return pieces == nullptr ? 0 : pieces->time.back();
+}
+
+double ring_down(const beam::TipHistory& history, double pulse_end) {
+  const double limit =
+      0.1 * std::abs(history.displacement[beam::index_of_peak(history.displacement)]);
+  std::size_t last = history.time.size();
+  while (last > 0 && std::abs(history.displacement[last - 1]) <= limit) --last;
+  if (last == history.time.size()) return std::numeric_limits<double>::infinity();
+  return std::max(0., history.time[last] - pulse_end);
+}
+
+double residual_amplitude(const beam::TipHistory& history) {
+  double greatest = 0;
+  for (std::size_t i = history.time.size() * 9 / 10; i < history.time.size(); ++i)
+    greatest = std::max(greatest, std::abs(history.displacement[i]));
+  return greatest;
+}
+
+/// Where the load of a cylinder that moves little, far from ends and walls, is taken too far.
+std::vector<std::string> bath_warnings(const Configuration& study,
+                                       const beam::TipHistory& history) {
+  std::vector<std::string> warnings;
+  if (study.choice("bath.model") == "none") return warnings;
+  const double diameter = study.quantity("pipette.outer_diameter");
+  const double immersed =
+      std::min(study.quantity("bath.immersed_length"), study.quantity("pipette.length"));
+  const double viscosity = study.quantity("bath.viscosity") / study.quantity("bath.density");
+  const double peak = std::abs(history.displacement[beam::index_of_peak(history.displacement)]);
+  const double speed = std::abs(history.velocity[beam::index_of_peak(history.velocity)]);
+  if (immersed == 0) return warnings;
+  if (peak > 0.1 * diameter)
+    warnings.push_back(fmt::format(
+        "the tip moves by {:.2g} of its diameter; the bath's linear load holds for less than about "
+        "0.1, beyond it drag grows (bath.drag_coefficient)",
+        peak / diameter));
+  if (speed * diameter / viscosity > 5)
+    warnings.push_back(fmt::format(
+        "the Reynolds number of the tip's speed, {:.2g} m/s, is {:.2g}; above about 5 the "
+        "flow separates, which the linear load does not know",
+        speed, speed * diameter / viscosity));
+  if (immersed < 10 * diameter)
+    warnings.push_back(fmt::format(
+        "{:.3g} um are immersed, {:.2g} diameters; the load of a long cylinder wants 10",
+        immersed * 1e6, immersed / diameter));
+  if (!study.is_auto("bath.wall_distance")) {
+    // Stokes' layer at the frequency of the tip's swing.
+    const double layer = std::sqrt(2 * viscosity * peak / speed);
+    const double wanted = 5 * (layer + diameter / 2);
+    const double wall = study.quantity("bath.wall_distance");
+    if (wall < wanted)
+      warnings.push_back(fmt::format(
+          "the wall is {:.3g} um away; nearer than about {:.3g} um, five times radius and viscous "
+          "layer, it adds mass and drag that are not counted",
+          wall * 1e6, wanted * 1e6));
+  }
+  return warnings;
 }
 
 VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pipette,
-                             const beam::Sampling& sampling, double peak, bool keep_history) {
+                             const beam::Sampling& sampling, const Configuration& study) {
   VibrationResult result;
   result.setup = setup;
   result.natural_frequencies = pipette.natural_frequencies;
-  result.history =
-      integrate(pipette.system, support_motion(setup, peak), sampling, pipette.integrator);
+  result.damping_ratios = pipette.damping_ratios;
+  const beam::SupportMotion motion = motion_of(setup, study);
+  const double peak = beam::peak_displacement(motion);
+  result.history = integrate(pipette.system, motion, sampling, pipette.integrator);
   const beam::TipHistory& history = result.history;
   const std::size_t farthest = beam::index_of_peak(history.displacement);
   const std::size_t fastest = beam::index_of_peak(history.velocity);
@@ -61,7 +136,10 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   result.time_of_peak = history.time[farthest];
   result.peak_velocity = history.velocity[fastest];
   result.time_of_peak_velocity = history.time[fastest];
-  if (!keep_history) result.history = {};
+  result.ring_down = ring_down(history, end_of_pulse(motion));
+  result.residual_amplitude = residual_amplitude(history);
+  result.warnings = bath_warnings(study, history);
+  if (!study.boolean("output.history")) result.history = {};
   return result;
 }
 
@@ -75,7 +153,12 @@ nlohmann::json to_json(const VibrationResult& result) {
           {"peak_displacement", result.peak_displacement},
           {"time_of_peak", result.time_of_peak},
           {"peak_velocity", result.peak_velocity},
-          {"time_of_peak_velocity", result.time_of_peak_velocity}};
+          {"time_of_peak_velocity", result.time_of_peak_velocity},
+          {"damping_ratios", result.damping_ratios},
+          {"ring_down",
+           std::isfinite(result.ring_down) ? nlohmann::json(result.ring_down) : nlohmann::json()},
+          {"residual_amplitude", result.residual_amplitude},
+          {"warnings", result.warnings}};
 }
 
 void write_history(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
@@ -103,11 +186,14 @@ void write_amplitudes(const RunDirectory& directory, const std::vector<Vibration
                                                       {"peak_displacement", "m"},
                                                       {"time_of_peak", "s"},
                                                       {"peak_velocity", "m/s"},
-                                                      {"time_of_peak_velocity", "s"}});
+                                                      {"time_of_peak_velocity", "s"},
+                                                      {"ring_down", "s"},
+                                                      {"residual_amplitude", "m"}});
   for (const VibrationResult& r : results) {
-    file.add(r.setup.fluid, {r.setup.fluid_density, r.setup.pulse_duration,
-                             r.setup.angular_frequency, r.amplitude_ratio, r.peak_displacement,
-                             r.time_of_peak, r.peak_velocity, r.time_of_peak_velocity});
+    file.add(r.setup.fluid,
+             {r.setup.fluid_density, r.setup.pulse_duration, r.setup.angular_frequency,
+              r.amplitude_ratio, r.peak_displacement, r.time_of_peak, r.peak_velocity,
+              r.time_of_peak_velocity, r.ring_down, r.residual_amplitude});
   }
 }
 
@@ -120,18 +206,20 @@ void add_once(std::vector<Value>& values, const Value& value) {
 }  // namespace
 
 std::string VibrationCase::pulse_label() const {
-  return angular_frequency > 0 ? fmt::format("{:.6g} rad/s", angular_frequency)
-                               : fmt::format("{:.6g} us", pulse_duration * 1e6);
+  if (angular_frequency > 0) return fmt::format("{:.6g} rad/s", angular_frequency);
+  return pulse_duration > 0 ? fmt::format("{:.6g} us", pulse_duration * 1e6) : "trace";
 }
 
 std::vector<VibrationCase> vibration_cases(const Configuration& study) {
   const std::vector<double> densities = study.quantities("fill.fluids");
   const std::vector<std::string> names = study.texts("fill.fluids");
-  const bool is_sine = study.choice("pulse.shape") == "sine";
-  const char* pulses = is_sine ? "pulse.angular_frequencies" : "pulse.durations";
+  const std::string& shape = study.choice("pulse.shape");
+  const bool is_sine = shape == "sine";
+  const char* key = is_sine ? "pulse.angular_frequencies" : "pulse.durations";
+  const auto pulses = shape == "trace" ? std::vector<double>{0} : study.quantities(key);
   std::vector<VibrationCase> cases;
   for (std::size_t fluid = 0; fluid < densities.size(); ++fluid)
-    for (const double pulse : study.quantities(pulses))
+    for (const double pulse : pulses)
       cases.push_back({names[fluid], densities[fluid], is_sine ? 0 : pulse, is_sine ? pulse : 0});
   return cases;
 }
@@ -143,8 +231,6 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
     pipettes.push_back(fill_pipette(study, density));
   const std::size_t pulses = cases.size() / pipettes.size();
   const beam::Sampling sampling = sampling_from(study, "time");
-  const double peak = study.quantity("pulse.peak");
-  const bool keep_history = study.boolean("output.history");
 
   std::vector<std::optional<VibrationResult>> slots(cases.size());
   std::vector<std::exception_ptr> failures(cases.size());
@@ -154,7 +240,7 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (Interrupt::requested()) continue;
     try {
-      slots[i] = compute_case(cases[i], pipettes[i / pulses], sampling, peak, keep_history);
+      slots[i] = compute_case(cases[i], pipettes[i / pulses], sampling, study);
     } catch (...) {
       failures[i] = std::current_exception();
     }
@@ -192,15 +278,37 @@ std::string amplitude_table(const std::vector<VibrationResult>& results) {
   return table + "\n";
 }
 
+namespace {
+
+/// The warnings of the case that has most of them, and how many cases have any.
+std::string warnings_of(const std::vector<VibrationResult>& results) {
+  const VibrationResult* worst = nullptr;
+  int count = 0;
+  for (const VibrationResult& result : results) {
+    if (result.warnings.empty()) continue;
+    ++count;
+    if (worst == nullptr || result.warnings.size() > worst->warnings.size()) worst = &result;
+  }
+  if (worst == nullptr) return "";
+  std::string text =
+      fmt::format("\n{} of {} runs leave the range of the bath's load; {}, {}:\n", count,
+                  results.size(), worst->setup.fluid, worst->setup.pulse_label());
+  for (const std::string& warning : worst->warnings) text += "- " + warning + "\n";
+  return text;
+}
+
+}  // namespace
+
 Job prepare_vibration(const Configuration& study) {
   for (double density : study.quantities("fill.fluids")) pipette_from(study, "pipette", density);
+  for (const VibrationCase& setup : vibration_cases(study)) motion_of(setup, study);
   return [study, keep_history = study.boolean("output.history")](Session& session) {
     const std::vector<VibrationResult> results = compute_vibration(study, session);
     session.results = nlohmann::json::array();
     for (const VibrationResult& result : results) session.results.push_back(to_json(result));
     write_amplitudes(session.directory, results);
     if (keep_history) write_history(session.directory, results);
-    const std::string table = amplitude_table(results);
+    const std::string table = amplitude_table(results) + warnings_of(results);
     session.directory.log().info("greatest tip displacement over peak support displacement\n" +
                                  table);
     session.conclusion = table;
@@ -222,8 +330,7 @@ std::string try_vibration(const Configuration& study, int threads) {
   const auto start = Clock::now();
   const FilledPipette pipette = fill_pipette(study, cases.front().fluid_density);
   const auto filled = Clock::now();
-  compute_case(cases.front(), pipette, sampling_from(study, "time"), study.quantity("pulse.peak"),
-               false);
+  compute_case(cases.front(), pipette, sampling_from(study, "time"), study);
   const std::chrono::duration<double> load = start - begin, fill = filled - start,
                                       one = Clock::now() - filled;
   const double fills = static_cast<double>(study.quantities("fill.fluids").size());

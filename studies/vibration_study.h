@@ -13,23 +13,31 @@ namespace zona::studies {
 struct VibrationCase {
   std::string fluid;             ///< as written in the study: "mercury", "2500 kg/m^3"
   double fluid_density = 0;      ///< [kg/m^3]
-  double pulse_duration = 0;     ///< of a triangular pulse [s]
+  double pulse_duration = 0;     ///< of a pulse [s]; 0 for a sine and a trace
   double angular_frequency = 0;  ///< of a sine [rad/s]
 
-  /// "60 us" or "52000 rad/s".
+  /// "60 us", "52000 rad/s" or "trace".
   std::string pulse_label() const;
 };
 
 /// What a case came to. Displacements and velocities are absolute (fixed frame).
 struct VibrationResult {
   VibrationCase setup;
-  std::vector<double> natural_frequencies;  ///< the lowest, at most ten [Hz]
-  double amplitude_ratio = 0;               ///< Figure 5.28
-  double peak_displacement = 0;             ///< of greatest magnitude, with its sign [m]
-  double time_of_peak = 0;                  ///< [s]
-  double peak_velocity = 0;                 ///< of greatest magnitude, with its sign [m/s]
-  double time_of_peak_velocity = 0;         ///< [s]
-  beam::TipHistory history;                 ///< empty when it is not to be kept
+  /// The lowest, at most ten [Hz]; in a bath each with the added mass of its own frequency.
+  std::vector<double> natural_frequencies;
+  /// Damping ratio of each, of the bath and the glass together.
+  std::vector<double> damping_ratios;
+  double amplitude_ratio = 0;        ///< Figure 5.28
+  double peak_displacement = 0;      ///< of greatest magnitude, with its sign [m]
+  double time_of_peak = 0;           ///< [s]
+  double peak_velocity = 0;          ///< of greatest magnitude, with its sign [m/s]
+  double time_of_peak_velocity = 0;  ///< [s]
+  /// From the end of the pulse until the tip stays within a tenth of its peak [s]; the end of the
+  /// run counts as never: then it is infinite.
+  double ring_down = 0;
+  double residual_amplitude = 0;      ///< greatest displacement in the last tenth of the run [m]
+  std::vector<std::string> warnings;  ///< where the bath's linear load does not hold
+  beam::TipHistory history;           ///< empty when it is not to be kept
 };
 
 /// All fluids with all pulses, fluid by fluid, in the order of the study.

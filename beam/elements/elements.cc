@@ -7,7 +7,9 @@
 #include <deal.II/lac/full_matrix.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "beam/require.h"
@@ -16,9 +18,9 @@ namespace zona::beam {
 namespace {
 
 using dealii::FullMatrix;
-constexpr int kElementDofs = 4;
+constexpr int kElementDofs = QuadraturePoint::dofs;
 constexpr int kGaussPoints = 5;
-constexpr int kEssential = -1;
+constexpr int kEssential = QuadraturePoint::held;
 
 /// Hermite shape functions and their derivatives with respect to x at one point of an element, in
 /// the order deflection and rotation at the left vertex, then at the right one.
@@ -71,8 +73,8 @@ ElementMatrices element_matrices(const Section& section, double left, double ele
 }
 
 /// Number of every degree of freedom (deflection, rotation per vertex) among those that are free.
-std::vector<int> number_free_dofs(const BeamLayout& layout) {
-  const int dofs = 2 * (layout.elements + 1);
+std::vector<int> number_free_dofs(const BeamLayout& layout, unsigned int elements) {
+  const int dofs = 2 * (static_cast<int>(elements) + 1);
   std::vector<bool> essential(dofs, false);
   essential[0] = true;
   essential[layout.supports == Supports::clamped_free ? 1 : dofs - 2] = true;
@@ -112,6 +114,40 @@ struct Element {
 
   double length() const { return right - left; }
 };
+
+/// Ends of the elements [m]: evenly spaced between the breaks of the section, about as many as the
+/// layout wants.
+std::vector<double> element_ends(const Section& section, int elements) {
+  const double length = section.length;
+  const double nearest = 1e-6 * length;
+  std::vector<double> breaks = section.breaks;
+  std::sort(breaks.begin(), breaks.end());
+  breaks.push_back(length);
+  std::vector<double> ends = {0};
+  for (const double to : breaks) {
+    const double from = ends.back();
+    const bool is_tip = to == length;
+    if (!is_tip && (to < from + nearest || to > length - nearest)) continue;
+    const int count = std::max(1, static_cast<int>(std::lround(elements * (to - from) / length)));
+    for (int i = 1; i <= count; ++i)
+      ends.push_back(i == count ? to : from + i * ((to - from) / count));
+    if (is_tip) break;
+  }
+  return ends;
+}
+
+/// A mesh of these elements, from deal.II.
+void make_mesh(const Section& section, const BeamLayout& layout, dealii::Triangulation<1>& mesh) {
+  if (section.breaks.empty()) {
+    dealii::GridGenerator::subdivided_hyper_cube(mesh, layout.elements, 0., section.length);
+    return;
+  }
+  const std::vector<double> ends = element_ends(section, layout.elements);
+  std::vector<std::vector<double>> steps(1);
+  for (std::size_t i = 1; i < ends.size(); ++i) steps[0].push_back(ends[i] - ends[i - 1]);
+  dealii::GridGenerator::subdivided_hyper_rectangle(mesh, steps, dealii::Point<1>(0.),
+                                                    dealii::Point<1>(section.length));
+}
 
 BeamSystem empty_system(const Section& section, const BeamLayout& layout,
                         const std::vector<int>& number) {
@@ -155,24 +191,51 @@ void observe(const Element& element, double x, BeamSystem& system) {
     if (element.dof[i] != kEssential) system.observation(element.dof[i]) = shapes.value[i];
 }
 
+/// The elements from x = 0 to the tip.
+std::vector<Element> make_elements(const dealii::Triangulation<1>& mesh,
+                                   const std::vector<int>& number) {
+  std::vector<Element> elements;
+  for (const auto& cell : mesh.active_cell_iterators())
+    elements.push_back(
+        {cell->vertex(0)[0],
+         cell->vertex(1)[0],
+         {number[2 * cell->vertex_index(0)], number[2 * cell->vertex_index(0) + 1],
+          number[2 * cell->vertex_index(1)], number[2 * cell->vertex_index(1) + 1]}});
+  return elements;
+}
+
 BeamSystem assemble_with_deal_ii(const Section& section, const BeamLayout& layout) {
   check_layout(section, layout);
   dealii::Triangulation<1> mesh;
-  dealii::GridGenerator::subdivided_hyper_cube(mesh, layout.elements, 0., section.length);
-  const std::vector<int> number = number_free_dofs(layout);
+  make_mesh(section, layout, mesh);
+  const std::vector<int> number = number_free_dofs(layout, mesh.n_active_cells());
   BeamSystem system = empty_system(section, layout, number);
-  for (const auto& cell : mesh.active_cell_iterators()) {
-    const Element element{
-        cell->vertex(0)[0],
-        cell->vertex(1)[0],
-        {number[2 * cell->vertex_index(0)], number[2 * cell->vertex_index(0) + 1],
-         number[2 * cell->vertex_index(1)], number[2 * cell->vertex_index(1) + 1]}};
+  const std::vector<Element> elements = make_elements(mesh, number);
+  for (const Element& element : elements) {
     add_element(section, layout, element, system);
-    const bool is_last = cell->at_boundary(1);
+    const bool is_last = &element == &elements.back();
     if (layout.observed_at >= element.left && (layout.observed_at < element.right || is_last))
       observe(element, layout.observed_at, system);
   }
   return system;
+}
+
+std::vector<QuadraturePoint> points_of_deal_ii(const Section& section, const BeamLayout& layout) {
+  check_layout(section, layout);
+  dealii::Triangulation<1> mesh;
+  make_mesh(section, layout, mesh);
+  const dealii::QGauss<1> quadrature(kGaussPoints);
+  const std::vector<int> number = number_free_dofs(layout, mesh.n_active_cells());
+  std::vector<QuadraturePoint> points;
+  for (const Element& element : make_elements(mesh, number))
+    for (unsigned int q = 0; q < quadrature.size(); ++q) {
+      const double xi = quadrature.point(q)[0];
+      const double x = element.left + xi * element.length();
+      points.push_back({x, quadrature.weight(q) * element.length(), element.dof,
+                        hermite_shapes(xi, element.length()).value,
+                        rigid_deflection(layout.supports, x, section.length)});
+    }
+  return points;
 }
 
 }  // namespace
@@ -181,4 +244,10 @@ BeamSystem assemble_with_deal_ii(const Section& section, const BeamLayout& layou
 void zona_beam_assemble(const zona::beam::Section& section, const zona::beam::BeamLayout& layout,
                         zona::beam::BeamSystem& system) {
   system = zona::beam::assemble_with_deal_ii(section, layout);
+}
+
+void zona_beam_quadrature_points(const zona::beam::Section& section,
+                                 const zona::beam::BeamLayout& layout,
+                                 std::vector<zona::beam::QuadraturePoint>& points) {
+  points = zona::beam::points_of_deal_ii(section, layout);
 }

@@ -92,7 +92,7 @@ TEST_CASE("all problems of a file are reported together, by line") {
              "s.toml:4: pipette.lenght: unknown key of a vibration study; did you mean "
              "pipette.length?\n"
              "s.toml:6: time.integrator: \"newmrak\" is not known here; needs one of newmark, "
-             "arkode or modal; did you mean \"newmark\"?\n"
+             "arkode, modal or transform; did you mean \"newmark\"?\n"
              "s.toml:7: time.step: the step of 6000 us is longer than the run of 5000 us; "
              "choose one below time.end"));
 }

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "beam/beam_system.h"
+#include "beam/integrate.h"
+#include "beam/support_motion.h"
+#include "beam/tip_history.h"
+
+namespace zona::beam {
+
+/// Absolute motion of the observed point over that of the support, V(s)/g(s), in the Laplace
+/// variable s; at s = i omega the response to a support that vibrates steadily. The bath has its
+/// load at every frequency, and the stiffness its loss factor: nothing is approximated but by the
+/// elements and, where the radius changes, by Immersion's interpolation. Rayleigh damping acts on
+/// the relative motion. A quadratic drag is no linear load and is refused.
+class TransferFunction {
+ public:
+  /// Keeps a reference to the system. Throws std::invalid_argument for a quadratic drag and for
+  /// BathModel::per_mode.
+  explicit TransferFunction(const BeamSystem& system);
+
+  /// V/g at s [rad/s].
+  std::complex<double> operator()(std::complex<double> s) const;
+
+  /// At many values, eight at once.
+  std::vector<std::complex<double>> at(const std::vector<std::complex<double>>& s) const;
+
+ private:
+  const BeamSystem& system_;
+};
+
+/// Laplace transform of the support's displacement.
+std::complex<double> laplace_transform(const SupportMotion& motion, std::complex<double> s);
+
+/// Values of s for `invert_transform`: a line right of the imaginary axis.
+std::vector<std::complex<double>> transform_points(const Sampling& sampling);
+
+/// The real function of time with this Laplace transform, given at the `transform_points`, at the
+/// samples: a discrete Fourier transform along the line, over twice the samples' time, so that what
+/// comes after it has died out by exp(-15).
+std::vector<double> invert_transform(const Sampling& sampling,
+                                     const std::vector<std::complex<double>>& transform);
+
+/// Motion of the observed point at the samples, by the inverse Laplace transform of
+/// TransferFunction times that of the support's motion. The velocity and the acceleration have no
+/// frequencies above half the samples'.
+TipHistory integrate_by_transform(const BeamSystem& system, const SupportMotion& motion,
+                                  const Sampling& sampling);
+
+}  // namespace zona::beam
