@@ -43,6 +43,11 @@ std::vector<std::complex<double>> transform_points(const Sampling& sampling);
 std::vector<double> invert_transform(const Sampling& sampling,
                                      const std::vector<std::complex<double>>& transform);
 
+/// Motion of the observed point at the samples for this motion of the support, from the values of
+/// the transfer function at the `transform_points`. One beam's values serve all its pulses.
+TipHistory history_by_transform(std::vector<std::complex<double>> transfer,
+                                const SupportMotion& motion, const Sampling& sampling);
+
 /// Motion of the observed point at the samples, by the inverse Laplace transform of
 /// TransferFunction times that of the support's motion. The velocity and the acceleration have no
 /// frequencies above half the samples'.

@@ -13,6 +13,7 @@
 
 #include "beam/modal_stepper.h"
 #include "beam/natural_modes.h"
+#include "beam/transfer_function.h"
 #include "studies/beam_parameters.h"
 #include "studies/history_file.h"
 #include "studies/interrupt.h"
@@ -31,6 +32,8 @@ struct FilledPipette {
   beam::Integrator integrator;
   std::vector<double> natural_frequencies;
   std::vector<double> damping_ratios;
+  /// At beam::transform_points; empty but for the integrator "transform".
+  std::vector<std::complex<double>> transfer{};
 };
 
 FilledPipette fill_pipette(const Configuration& study, double density) {
@@ -47,6 +50,10 @@ FilledPipette fill_pipette(const Configuration& study, double density) {
   for (Eigen::Index n = 0; n < count; ++n) {
     filled.natural_frequencies.push_back(lowest.angular_frequency(n) / (2 * M_PI));
     filled.damping_ratios.push_back(lowest.decay_rate(n) / lowest.angular_frequency(n));
+  }
+  if (std::holds_alternative<beam::Transform>(filled.integrator)) {
+    filled.transfer = beam::TransferFunction(filled.system)
+                          .at(beam::transform_points(sampling_from(study, "time")));
   }
   return filled;
 }
@@ -127,7 +134,9 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   result.damping_ratios = pipette.damping_ratios;
   const beam::SupportMotion motion = motion_of(setup, study);
   const double peak = beam::peak_displacement(motion);
-  result.history = integrate(pipette.system, motion, sampling, pipette.integrator);
+  result.history = pipette.transfer.empty()
+                       ? integrate(pipette.system, motion, sampling, pipette.integrator)
+                       : beam::history_by_transform(pipette.transfer, motion, sampling);
   const beam::TipHistory& history = result.history;
   const std::size_t farthest = beam::index_of_peak(history.displacement);
   const std::size_t fastest = beam::index_of_peak(history.velocity);
@@ -226,9 +235,10 @@ std::vector<VibrationCase> vibration_cases(const Configuration& study) {
 
 std::vector<VibrationResult> compute_vibration(const Configuration& study, Session& session) {
   const std::vector<VibrationCase> cases = vibration_cases(study);
-  std::vector<FilledPipette> pipettes;
-  for (const double density : study.quantities("fill.fluids"))
-    pipettes.push_back(fill_pipette(study, density));
+  const std::vector<double> densities = study.quantities("fill.fluids");
+  std::vector<FilledPipette> pipettes(densities.size());
+  for (std::size_t i = 0; i < densities.size(); ++i)
+    pipettes[i] = fill_pipette(study, densities[i]);
   const std::size_t pulses = cases.size() / pipettes.size();
   const beam::Sampling sampling = sampling_from(study, "time");
 

@@ -20,6 +20,7 @@ const std::vector<Case>& cases() {
       pipette_frequencies(),
       support_motion(),
       pipette_amplitude(),
+      pipette_bath(),
       membrane_strip(),
       membrane_shear(),
       inflated_sphere(),

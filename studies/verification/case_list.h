@@ -23,6 +23,7 @@ Case piercing_numerics();
 Case pipette_frequencies();
 Case support_motion();
 Case pipette_amplitude();
+Case pipette_bath();
 // What the source lacks
 Case membrane_strip();
 Case membrane_shear();
