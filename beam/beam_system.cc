@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "beam/elements/elements.h"
 
@@ -32,9 +33,19 @@ Function find_function(void* library, const char* name) {
   return reinterpret_cast<Function>(function);
 }
 
+/// Of the file that holds this function, with a slash; empty if the loader does not know.
+std::string own_folder() {
+  Dl_info self{};
+  if (dladdr(reinterpret_cast<void*>(&own_folder), &self) == 0 || self.dli_fname == nullptr)
+    return "";
+  const std::string file = self.dli_fname;
+  return file.substr(0, file.rfind('/') + 1);
+}
+
 const Elements& elements() {
   static const Elements functions = [] {
-    void* const library = dlopen("libzona_beam_elements.so", RTLD_NOW | RTLD_LOCAL);
+    void* const library =
+        dlopen((own_folder() + "libzona_beam_elements.so").c_str(), RTLD_NOW | RTLD_LOCAL);
     return Elements{find_function<decltype(&zona_beam_assemble)>(library, "zona_beam_assemble"),
                     find_function<decltype(&zona_beam_quadrature_points)>(
                         library, "zona_beam_quadrature_points")};

@@ -2,9 +2,9 @@ include(CMakePackageConfigHelpers)
 install(TARGETS zona_mpm zona_beam zona_coupling zona_abi EXPORT zona
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(module mpm beam coupling)
-  # hdf5_handle.h is of no use to others, who need no headers of HDF5 then.
+  # hdf5_handle.h and frequency_lanes.h are of no use to others, who need no headers of HDF5 then.
   install(DIRECTORY ${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zona FILES_MATCHING PATTERN "*.h"
-          PATTERN hdf5_handle.h EXCLUDE PATTERN elements EXCLUDE)
+          PATTERN hdf5_handle.h EXCLUDE PATTERN frequency_lanes.h EXCLUDE PATTERN elements EXCLUDE)
 endforeach()
 install(TARGETS zona_beam_elements LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT zona NAMESPACE zona:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zona)

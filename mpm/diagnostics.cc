@@ -1,6 +1,7 @@
 #include "mpm/diagnostics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -123,6 +124,34 @@ PressureRange cell_averaged_pressure(const Body& body) {
   }
   range.scatter = whole > 0 ? std::sqrt(squares / whole) : 0;
   return range;
+}
+
+double cell_averaged_shear_rate(const Body& body) {
+  const auto* fluid = std::get_if<Fluid>(&body.material);
+  if (!fluid) throw ModelError("body '" + body.name + "' is no fluid: it has no shear rate");
+  if (!(fluid->properties.shear_viscosity > 0)) return 0;
+  double largest = 0;
+  for (int b = 0; b < body.cells.brick_count(); ++b) {
+    const BrickPoints& brick = body.cells.brick(b);
+    for (int c = 0; c < Brick::cell_count; ++c) {
+      if (brick.begin[c] == brick.begin[c + 1]) continue;
+      std::array<double, 6> sum{};
+      double volume = 0;
+      for (int n = brick.begin[c]; n < brick.begin[c + 1]; ++n) {
+        const int p = brick.points[n];
+        const double v = body.points.mass[p] / fluid->density[p];
+        for (int i = 0; i < 6; ++i) sum[i] += v * fluid->stress[i][p];
+        volume += v;
+      }
+      const double mean = (sum[0] + sum[1] + sum[2]) / 3;
+      double squares = 0;  // s : s
+      for (int i = 0; i < 3; ++i) squares += std::pow(sum[i] - mean, 2);
+      for (int i = 3; i < 6; ++i) squares += 2 * sum[i] * sum[i];
+      largest =
+          std::max(largest, std::sqrt(squares / 2) / volume / fluid->properties.shear_viscosity);
+    }
+  }
+  return largest;
 }
 
 }  // namespace zona::mpm

@@ -47,4 +47,9 @@ struct PressureRange {
 /// Over the cells that hold points of the fluid. Throws ModelError for any other material.
 PressureRange cell_averaged_pressure(const Body& fluid_body);
 
+/// Largest shear rate sqrt(2 D:D) [1/s] of a fluid's cells, from the deviator of its stress
+/// averaged over a cell by volume, 2 mu D; 0 for a fluid without shear viscosity. Throws ModelError
+/// for any other material.
+double cell_averaged_shear_rate(const Body& fluid_body);
+
 }  // namespace zona::mpm

@@ -52,6 +52,7 @@ const std::vector<Cell>& table_columns() {
                                          {"in window [um]", "largest_excursion", 1e6, 2},
                                          {"first failure [us]", "time_of_first_failure", 1e6, 2},
                                          {"failed area [um^2]", "failed_area", 1e12, 1},
+                                         {"hole/pipette", "hole_over_pipette", 1, 2},
                                          {"failed points", "failed_points", 1, 0},
                                          {"strain away", "largest_strain_away", 1, 4},
                                          {"deformation [um]", "largest_displacement_away", 1e6, 2},

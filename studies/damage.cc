@@ -9,6 +9,7 @@ DamageMeter::DamageMeter(const mpm::Body& zona, const mpm::Tube& tip)
       counted_(zona.points.size(), 0),
       peak_strain_(zona.points.size(), 0.0),
       peak_displacement_(zona.points.size(), 0.0),
+      tip_(tip),
       clearance_(2 * tip.outer_radius) {
   for (int p = 0; p < zona.points.size(); ++p) {
     reference_.push_back(zona.points.position_of(p));
@@ -47,6 +48,11 @@ void ZonaDamage::visit_state(mpm::StateVisitor& visitor) {
   visitor.visit("zona/largest_strain", largest_strain);
   visitor.visit("zona/strain_away", strain_away);
   visitor.visit("zona/largest_displacement", largest_displacement);
+  visitor.visit("zona/indentation", indentation);
+}
+
+bool DamageMeter::near_contact(std::size_t point) const {
+  return (reference_[point] - tip_.end).norm() <= tip_.outer_radius + clearance_;
 }
 
 ZonaDamage DamageMeter::measure(const mpm::Body& zona) {
@@ -59,7 +65,11 @@ ZonaDamage DamageMeter::measure(const mpm::Body& zona) {
       damage.failed_area += membrane.reference_area[p];
       continue;
     }
-    const double displacement = (zona.points.position_of(p) - reference_[p]).norm();
+    const Eigen::Vector3d moved = zona.points.position_of(p) - reference_[p];
+    const double displacement = moved.norm();
+    if (near_contact(p)) {
+      damage.indentation = std::max(damage.indentation, -moved.dot(tip_.axis));
+    }
     peak_strain_[p] = std::max(peak_strain_[p], membrane.strain[p]);
     peak_displacement_[p] = std::max(peak_displacement_[p], displacement);
     damage.largest_strain = std::max(damage.largest_strain, membrane.strain[p]);

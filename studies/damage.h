@@ -15,6 +15,8 @@ struct ZonaDamage {
   double largest_strain = 0;  ///< largest principal strain of intact points [-]
   double strain_away = 0;  ///< the same, further than a pipette diameter from hole and contact [-]
   double largest_displacement = 0;  ///< of an intact point further than that [m]
+  /// How far the pipette has pushed the intact zona near the contact along its axis [m].
+  double indentation = 0;
 
   void visit_state(mpm::StateVisitor& visitor);
 };
@@ -39,6 +41,7 @@ class DamageMeter {
 
  private:
   double peak_away(const std::vector<double>& peak) const;
+  bool near_contact(std::size_t point) const;
   void widen_hole(const mpm::Membrane& membrane);
 
   std::vector<Eigen::Vector3d> reference_;
@@ -46,6 +49,7 @@ class DamageMeter {
   std::vector<std::int32_t> counted_;  ///< 1 or 0
   std::vector<double> peak_strain_;
   std::vector<double> peak_displacement_;
+  mpm::Tube tip_;
   double clearance_;
 };
 

@@ -41,6 +41,8 @@ std::vector<Column> history_columns(const Measures& measures) {
                               {"largest_displacement", "m"},
                               {"cytoplasm_pressure_low", "Pa"},
                               {"cytoplasm_pressure_high", "Pa"},
+                              {"cytoplasm_shear_rate", "1/s"},
+                              {"indentation", "m"},
                               {"mass", "kg"},
                               {"momentum_x", "kg m/s"},
                               {"momentum_y", "kg m/s"},
@@ -88,6 +90,8 @@ class PiercingRun {
     const auto* pipette = solver_.body("pipette").prescribed();
     impulse_work_ += pipette->reaction.dot(pipette->next.velocity) * solver_.step_size();
     largest_force_ = std::max(largest_force_, pipette->reaction.norm());
+    if (damage_.failed_points > 0)
+      path_after_failure_ += pipette->next.velocity.norm() * solver_.step_size();
   }
   /// On its surroundings in the last step; zero where there is no plate [N].
   Eigen::Vector3d plate_force() const {
@@ -114,6 +118,9 @@ class PiercingRun {
   double impulse_work_ = 0;
   double largest_force_ = 0;
   double highest_pressure_ = 0;
+  double highest_shear_rate_ = 0;
+  double deepest_indentation_ = 0;
+  double path_after_failure_ = 0;  ///< of the tip, counted from the sample that saw a failure [m]
   double largest_excursion_ = 0;
   SolverMarch march_;  ///< last, because it samples at once
 };
@@ -128,8 +135,11 @@ void PiercingRun::sample() {
     log_.info("the zona begins to fail before {:.4g} us", t * 1e6);
   }
   const auto pressure = mpm::cell_averaged_pressure(solver_.body("cytoplasm"));
+  const double shear_rate = mpm::cell_averaged_shear_rate(solver_.body("cytoplasm"));
   const mpm::BodyTotals sum = totals(solver_.bodies());
   highest_pressure_ = std::max(highest_pressure_, pressure.highest);
+  highest_shear_rate_ = std::max(highest_shear_rate_, shear_rate);
+  deepest_indentation_ = std::max(deepest_indentation_, damage_.indentation);
   largest_excursion_ = std::max(largest_excursion_, state.displacement.norm());
   const auto& d = state.displacement;
   const auto& v = state.velocity;
@@ -153,6 +163,8 @@ void PiercingRun::sample() {
                           damage_.largest_displacement,
                           pressure.lowest,
                           pressure.highest,
+                          shear_rate,
+                          damage_.indentation,
                           sum.mass,
                           sum.momentum.x(),
                           sum.momentum.y(),
@@ -175,6 +187,9 @@ void PiercingRun::visit_state(mpm::StateVisitor& visitor) {
   visitor.visit("pipette/largest_force", largest_force_);
   visitor.visit("pipette/largest_excursion", largest_excursion_);
   visitor.visit("cytoplasm/highest_pressure", highest_pressure_);
+  visitor.visit("cytoplasm/highest_shear_rate", highest_shear_rate_);
+  visitor.visit("zona/deepest_indentation", deepest_indentation_);
+  visitor.visit("pipette/path_after_failure", path_after_failure_);
 }
 
 nlohmann::json PiercingRun::results() const {
@@ -194,6 +209,10 @@ nlohmann::json PiercingRun::results() const {
   r["largest_excursion"] = largest_excursion_;
   r["failed_points"] = zona.failed_points;
   r["failed_area"] = damage_.failed_area;
+  // Of a round hole of this area, in diameters of the pipette.
+  r["hole_diameter"] = std::sqrt(4 * damage_.failed_area / M_PI);
+  r["hole_over_pipette"] =
+      std::sqrt(4 * damage_.failed_area / M_PI) / case_.setup.pipette.outer_diameter;
   r["failure_pattern"] =
       to_json(failure_pattern(zona, meter_.reference(), piercing_geometry(case_.setup).tip));
   r["time_of_first_failure"] =
@@ -203,7 +222,10 @@ nlohmann::json PiercingRun::results() const {
   }
   r["largest_strain_away"] = meter_.peak_strain_away();
   r["largest_displacement_away"] = meter_.peak_displacement_away();
+  r["deepest_indentation"] = deepest_indentation_;
   r["highest_cytoplasm_pressure"] = highest_pressure_;
+  r["highest_cytoplasm_shear_rate"] = highest_shear_rate_;
+  r["path_after_failure"] = path_after_failure_;
   r["largest_pipette_force"] = largest_force_;
   r["pipette_work"] = impulse_work_;
   r["time_step"] = case_.step;

@@ -36,7 +36,7 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
       .doc(
           "Number of Hermite cubic beam elements. The source's twenty (5.5) overestimate the "
           "amplitude "
-          "of the mercury-filled tip after 60 us by a fifth; eighty are good to 1 % of the peak.");
+          "of the mercury-filled tip after 60 us by a third; eighty are good to 1 % of the peak.");
   schema.quantity(section + ".rayleigh_alpha", "1/s", "0 1/s")
       .in("[0, 1e9]")
       .doc("Mass-proportional Rayleigh damping; the source has none.");

@@ -49,6 +49,22 @@ Schema make_vibration_schema() {
           "Whether the tip's motion of every run is kept, in history.csv. Sweeps of thousands of "
           "runs want only amplitudes.csv, which is always written.");
 
+  schema.boolean("output.sensitivities", false)
+      .doc(
+          "Whether the derivatives of each run's amplitude, peak velocity and ring-down by every "
+          "input "
+          "are computed, into sensitivities.csv and summary.json. Exact (forward sensitivity "
+          "analysis), "
+          "for pulses without a quadratic drag.");
+  schema.check([](const Configuration& study, const Complain& complain) {
+    if (!study.boolean("output.sensitivities")) return;
+    if (study.choice("pulse.shape") == "sine" || study.choice("bath.model") == "per_mode" ||
+        study.number("bath.drag_coefficient") > 0)
+      complain(
+          "output.sensitivities",
+          "takes a pulse (no sine), bath.model \"none\", \"frequency\" or \"constant\", and no "
+          "quadratic drag; set it to false, or change these");
+  });
   schema.check([](const Configuration& study, const Complain& complain) {
     check_bore("pipette", study, complain);
   });

@@ -19,6 +19,7 @@
 #include "studies/interrupt.h"
 #include "studies/progress.h"
 #include "studies/run_directory.h"
+#include "studies/sensitivity.h"
 
 namespace zona::studies {
 
@@ -148,26 +149,31 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   result.ring_down = ring_down(history, end_of_pulse(motion));
   result.residual_amplitude = residual_amplitude(history);
   result.warnings = bath_warnings(study, history);
+  if (study.boolean("output.sensitivities"))
+    result.sensitivities = beam_sensitivities(study, setup);
   if (!study.boolean("output.history")) result.history = {};
   return result;
 }
 
 nlohmann::json to_json(const VibrationResult& result) {
-  return {{"fluid", result.setup.fluid},
-          {"fluid_density", result.setup.fluid_density},
-          {"pulse_duration", result.setup.pulse_duration},
-          {"angular_frequency", result.setup.angular_frequency},
-          {"amplitude_ratio", result.amplitude_ratio},
-          {"natural_frequencies", result.natural_frequencies},
-          {"peak_displacement", result.peak_displacement},
-          {"time_of_peak", result.time_of_peak},
-          {"peak_velocity", result.peak_velocity},
-          {"time_of_peak_velocity", result.time_of_peak_velocity},
-          {"damping_ratios", result.damping_ratios},
-          {"ring_down",
-           std::isfinite(result.ring_down) ? nlohmann::json(result.ring_down) : nlohmann::json()},
-          {"residual_amplitude", result.residual_amplitude},
-          {"warnings", result.warnings}};
+  nlohmann::json json = {
+      {"fluid", result.setup.fluid},
+      {"fluid_density", result.setup.fluid_density},
+      {"pulse_duration", result.setup.pulse_duration},
+      {"angular_frequency", result.setup.angular_frequency},
+      {"amplitude_ratio", result.amplitude_ratio},
+      {"natural_frequencies", result.natural_frequencies},
+      {"peak_displacement", result.peak_displacement},
+      {"time_of_peak", result.time_of_peak},
+      {"peak_velocity", result.peak_velocity},
+      {"time_of_peak_velocity", result.time_of_peak_velocity},
+      {"damping_ratios", result.damping_ratios},
+      {"ring_down",
+       std::isfinite(result.ring_down) ? nlohmann::json(result.ring_down) : nlohmann::json()},
+      {"residual_amplitude", result.residual_amplitude},
+      {"warnings", result.warnings}};
+  if (result.sensitivities) json["sensitivities"] = to_json(*result.sensitivities);
+  return json;
 }
 
 void write_history(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
@@ -203,6 +209,27 @@ void write_amplitudes(const RunDirectory& directory, const std::vector<Vibration
              {r.setup.fluid_density, r.setup.pulse_duration, r.setup.angular_frequency,
               r.amplitude_ratio, r.peak_displacement, r.time_of_peak, r.peak_velocity,
               r.time_of_peak_velocity, r.ring_down, r.residual_amplitude});
+  }
+}
+
+/// One row per case and input; elasticities are relative changes per relative change of the input.
+void write_sensitivities(const RunDirectory& directory,
+                         const std::vector<VibrationResult>& results) {
+  HistoryFile file(directory.file("sensitivities.csv"), {{"fluid; pulse; input", ""},
+                                                         {"value", "SI"},
+                                                         {"amplitude_elasticity", ""},
+                                                         {"peak_velocity_elasticity", ""},
+                                                         {"ring_down_elasticity", ""}});
+  for (const VibrationResult& r : results) {
+    if (!r.sensitivities) continue;
+    const SensitivityResult& s = *r.sensitivities;
+    for (const InputSensitivity& input : s.inputs)
+      file.add(r.setup.fluid + "; " + r.setup.pulse_label() + "; " + input.key,
+               {input.value, input.amplitude * input.value / s.amplitude,
+                input.peak_velocity * input.value / s.peak_velocity,
+                input.ring_down && s.ring_down && *s.ring_down != 0
+                    ? *input.ring_down * input.value / *s.ring_down
+                    : std::nan("")});
   }
 }
 
@@ -318,6 +345,7 @@ Job prepare_vibration(const Configuration& study) {
     for (const VibrationResult& result : results) session.results.push_back(to_json(result));
     write_amplitudes(session.directory, results);
     if (keep_history) write_history(session.directory, results);
+    if (study.boolean("output.sensitivities")) write_sensitivities(session.directory, results);
     const std::string table = amplitude_table(results) + warnings_of(results);
     session.directory.log().info("greatest tip displacement over peak support displacement\n" +
                                  table);

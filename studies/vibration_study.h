@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,26 @@ struct VibrationCase {
   std::string pulse_label() const;
 };
 
+/// What the response of a tip does when one input changes, everything else being kept. Derivatives
+/// are by the input in SI.
+struct InputSensitivity {
+  std::string key;           ///< of the study file, "pipette.length"; "fill.fluids" is the density
+  std::string unit;          ///< of the input
+  double value = 0;          ///< of the input
+  double amplitude = 0;      ///< of the greatest displacement [m/unit]
+  double peak_velocity = 0;  ///< of the greatest speed [m/s/unit]
+  std::optional<double> ring_down;  ///< of the time to a tenth of the peak [s/unit]; none if never
+};
+
+/// A response whose derivatives are taken, and these, the one that matters most first.
+struct SensitivityResult {
+  double amplitude = 0;             ///< greatest displacement, between samples, too [m]
+  double peak_velocity = 0;         ///< greatest speed [m/s]
+  std::optional<double> ring_down;  ///< [s]
+  std::vector<InputSensitivity> inputs;
+  std::vector<std::string> without;  ///< keys at a kink, where there is no derivative
+};
+
 /// What a case came to. Displacements and velocities are absolute (fixed frame).
 struct VibrationResult {
   VibrationCase setup;
@@ -35,9 +56,10 @@ struct VibrationResult {
   /// From the end of the pulse until the tip stays within a tenth of its peak [s]; the end of the
   /// run counts as never: then it is infinite.
   double ring_down = 0;
-  double residual_amplitude = 0;      ///< greatest displacement in the last tenth of the run [m]
-  std::vector<std::string> warnings;  ///< where the bath's linear load does not hold
-  beam::TipHistory history;           ///< empty when it is not to be kept
+  double residual_amplitude = 0;  ///< greatest displacement in the last tenth of the run [m]
+  std::optional<SensitivityResult> sensitivities;  ///< where they are wanted
+  std::vector<std::string> warnings;               ///< where the bath's linear load does not hold
+  beam::TipHistory history;                        ///< empty when it is not to be kept
 };
 
 /// All fluids with all pulses, fluid by fluid, in the order of the study.

@@ -36,7 +36,7 @@ struct BarState {
 /// with q = 2 clamp(p, -s_y, s_y) - p and opens at 2 (p - clamp(p))/Z. Perfect plasticity has no
 /// plastic wave, so all plastic strain is concentrated in this section, and everywhere else |sigma|
 /// <= s_y. All is constant over periods of L/c. With the source's numbers: 300 MPa spreads from the
-/// middle at c between 0.5 and 1 L/c while the section opens at 100 MPa * 2/Z = 14.07 m/s, the ends
+/// middle at c between 0.5 and 1 L/c while the section opens at 100 MPa * 2/Z = 14.06 m/s, the ends
 /// unload it to 200 MPa, and from 1.5 L/c on the bar is at rest, 200 L/E = 27.8 mm longer in its
 /// middle. Throws ModelError for x outside the bar, t < 0 or a step above the yield stress.
 BarState free_bar_state(const SteppedBar& bar, double x, double time);

@@ -36,6 +36,9 @@ class Chart:
             axes.set_xlim(*self.x_limit)
         if len(self.lines) > 1 or self.lines[0][0]:
             axes.legend(fontsize=8, loc="lower left", bbox_to_anchor=(0, 1), ncols=4, borderaxespad=0.2)
+        return self._save(figure, folder)
+
+    def _save(self, figure, folder):
         text = io.StringIO()
         figure.savefig(text, format="svg", metadata={"Date": None})
         (folder / f"{self.name}.svg").write_text(text.getvalue(), encoding="utf-8")
@@ -50,6 +53,32 @@ class Chart:
             writer.writerow(["line", self.x_label, self.y_label])
             for label, x, y in self.lines:
                 writer.writerows((label, repr(float(a)), repr(float(b))) for a, b in zip(x, y))
+
+
+class Tornado(Chart):
+    """Bars left and right of nothing, one a row: `rows` are (label, value), the greatest first."""
+
+    def __init__(self, name, title, x_label, rows):
+        super().__init__(name, title, x_label, "input", [])
+        self.rows = rows
+
+    def draw(self, folder):
+        figure, axes = plt.subplots(figsize=(6.4, 0.9 + 0.26 * len(self.rows)), layout="constrained")
+        axes.set_axisbelow(True)
+        places = np.arange(len(self.rows))[::-1]
+        values = np.array([value for _, value in self.rows])
+        axes.barh(places, values, color=np.where(values >= 0, COLOURS[0], COLOURS[1]), height=0.7)
+        axes.set_yticks(places, [label for label, _ in self.rows], fontsize=8)
+        axes.axvline(0, color="#444444", linewidth=0.8)
+        axes.set_xlabel(self.x_label)
+        axes.grid(axis="y", visible=False)
+        return self._save(figure, folder)
+
+    def _write_csv(self, path):
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow([self.y_label, self.x_label])
+            writer.writerows((label, repr(float(value))) for label, value in self.rows)
 
 
 def _inline(svg, name):

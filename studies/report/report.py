@@ -15,7 +15,7 @@ import sys
 
 import numpy as np
 
-from charts import Chart, spectrum
+from charts import Chart, Tornado, spectrum
 from replay import pack_run
 from run_data import Study
 
@@ -40,6 +40,10 @@ KEY_NUMBERS = [
     ("largest_strain_away", "greatest strain of the zona away from the hole", 1, ""),
     ("largest_displacement_away", "greatest displacement of the zona away from the hole", MICRO, "µm"),
     ("highest_cytoplasm_pressure", "highest pressure of the cytoplasm, cell averages", 1e-3, "kPa"),
+    ("highest_cytoplasm_shear_rate", "highest shear rate of the cytoplasm, cell averages", 1e-3, "1/ms"),
+    ("deepest_indentation", "deepest indentation of the intact zona", MICRO, "µm"),
+    ("hole_over_pipette", "diameter of the hole over that of the pipette", 1, ""),
+    ("path_after_failure", "path of the tip after failure began", MICRO, "µm"),
     ("largest_pipette_force", "greatest force on the pipette", MICRO, "µN"),
     ("pipette_work", "work of the pipette", 1e12, "pJ"),
 ]
@@ -221,6 +225,25 @@ def vibration_part(page, results):
     page.parts.append(table(["[kHz]"] + [f"mode {i + 1}" for i in range(count)],
                             [[fluid] + [f"{f / 1e3:.4g}" for f in frequencies[fluid][:count]] for fluid in fluids]))
     vibration_motions(page)
+    sensitivities(page, results)
+
+
+def sensitivities(page, results):
+    """A tornado chart per fill, of the first pulse that has one."""
+    shown = {}
+    for result in results:
+        if "sensitivities" in result:
+            shown.setdefault(result["fluid"], result)
+    if not shown:
+        return
+    page.heading("What the amplitude depends on")
+    for index, (fluid, result) in enumerate(list(shown.items())[:6]):
+        found = result["sensitivities"]
+        rows = [(entry["key"], 10 * entry["amplitude"] * entry["value"] / found["amplitude"])
+                for entry in found["inputs"]]
+        rows = [row for row in rows if abs(row[1]) > 0.005][:16]
+        page.charts([Tornado(f"sensitivity_{index + 1}", f"{fluid}: change of the tip's amplitude for 10 % more of each "
+                             "input, to first order.", "change of the amplitude [%]", rows)])
 
 
 def vibration_motions(page):

@@ -172,3 +172,14 @@ TEST_CASE("Bodies without a volumetric strain cannot average it") {
   model.bodies.push_back({"rigid", std::move(points), std::move(rigid), {}, true});
   CHECK_THROWS_WITH(Solver(std::move(model), 1), Catch::Contains("'rigid'"));
 }
+
+TEST_CASE("the shear rate of a vortex is that of its velocity") {
+  const VortexModel vortex{16, 3, true};
+  Solver solver = vortex.solver();
+  while (solver.time() < 0.1) solver.step();
+  // 2 k exp(-2 nu k^2 t) in the corners; cells are 1/16 of the half wave, whose cosines are on
+  // average 1 - (k h)^2 / 6 there, and the points' gradients are of first order in the cell.
+  const double exact =
+      2 * VortexModel::k * std::exp(-2 * vortex.viscosity * std::pow(VortexModel::k, 2) * 0.1);
+  CHECK(cell_averaged_shear_rate(solver.bodies()[0]) == Approx(exact).epsilon(0.1));
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "studies/vibration_study.h"
+
+namespace zona::studies {
+
+/// Derivatives of a vibration case by every input that acts: quantities and numbers of [pipette],
+/// [fill], [[column]], [bath] and [pulse] that are neither zero nor "auto", the fluid's density and
+/// the pulse's duration. Beam inputs by forward sensitivity analysis (`transfer_sensitivity`), the
+/// pulse's in closed form. Throws std::invalid_argument for a sine, a quadratic drag and
+/// BathModel::per_mode.
+SensitivityResult beam_sensitivities(const Configuration& study, const VibrationCase& setup);
+
+/// The response alone, without `inputs`.
+SensitivityResult beam_response(const Configuration& study, const VibrationCase& setup);
+
+nlohmann::json to_json(const SensitivityResult& result);
+
+}  // namespace zona::studies
