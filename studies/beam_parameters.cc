@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -105,6 +106,57 @@ beam::Pipette pipette_from(const Configuration& study, const std::string& sectio
 double support_peak(const Configuration& study) {
   if (!study.is_auto("pulse.peak")) return study.quantity("pulse.peak");
   return study.quantity("pulse.voltage") * study.quantity("pulse.gain");
+}
+
+std::string calibration_text(const Configuration& study) {
+  if (!study.is_auto("pulse.peak")) return "";
+  const double peak = support_peak(study);
+  const double spread = study.number("pulse.gain_uncertainty");
+  return fmt::format(
+      "support: {:g} V times {:g} um/V is {:.4g} um, by the gain's uncertainty {:.4g} to {:.4g} "
+      "um; "
+      "displacements scale with it\n",
+      study.quantity("pulse.voltage"), study.quantity("pulse.gain") * 1e6, peak * 1e6,
+      peak * (1 - spread) * 1e6, peak * (1 + spread) * 1e6);
+}
+
+std::vector<std::string> bath_warnings(const Configuration& study, const std::string& section,
+                                       const beam::TipHistory& history) {
+  std::vector<std::string> warnings;
+  if (study.choice("bath.model") == "none") return warnings;
+  const double diameter = study.quantity("pipette.outer_diameter");
+  const double immersed =
+      std::min(study.quantity("bath.immersed_length"), study.quantity(section + ".length"));
+  const double viscosity = study.quantity("bath.viscosity") / study.quantity("bath.density");
+  const double peak = std::abs(history.displacement[beam::index_of_peak(history.displacement)]);
+  const double speed = std::abs(history.velocity[beam::index_of_peak(history.velocity)]);
+  if (immersed == 0) return warnings;
+  if (peak > 0.1 * diameter)
+    warnings.push_back(fmt::format(
+        "the tip moves by {:.2g} of its diameter; the bath's linear load holds for less than about "
+        "0.1, beyond it drag grows (bath.drag_coefficient)",
+        peak / diameter));
+  if (speed * diameter / viscosity > 5)
+    warnings.push_back(fmt::format(
+        "the Reynolds number of the tip's speed, {:.2g} m/s, is {:.2g}; above about 5 the "
+        "flow separates, which the linear load does not know",
+        speed, speed * diameter / viscosity));
+  if (immersed < 10 * diameter)
+    warnings.push_back(fmt::format(
+        "{:.3g} um are immersed, {:.2g} diameters; the load of a long cylinder wants 10",
+        immersed * 1e6, immersed / diameter));
+  if (!study.is_auto("bath.wall_distance")) {
+    // Stokes' layer at the frequency of the tip's swing.
+    const double layer = std::sqrt(2 * viscosity * peak / speed);
+    const double wanted = 5 * (layer + diameter / 2);
+    const double wall = study.quantity("bath.wall_distance");
+    if (wall < wanted)
+      warnings.push_back(fmt::format(
+          "the wall is {:.3g} um away; nearer than about {:.3g} um, five times radius and viscous "
+          "layer, it adds mass and drag that are not counted",
+          wall * 1e6, wanted * 1e6));
+  }
+  return warnings;
 }
 
 beam::SupportMotion support_motion(const Configuration& study, double duration) {

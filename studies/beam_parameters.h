@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "beam/integrate.h"
 #include "beam/pipette.h"
 #include "beam/support_motion.h"
+#include "beam/tip_history.h"
 #include "studies/configuration.h"
 
 namespace zona::studies {
@@ -17,6 +19,16 @@ beam::Pipette pipette_from(const Configuration& study, const std::string& sectio
 
 /// Peak displacement of the support [m]: pulse.peak, or for "auto" voltage times gain.
 double support_peak(const Configuration& study);
+
+/// What the controller's voltage comes to, with its uncertainty, in a line; empty unless pulse.peak
+/// is "auto".
+std::string calibration_text(const Configuration& study);
+
+/// Where the bath's load, that of a long cylinder that moves little, far from walls, is taken too
+/// far by this motion of the tip; with numbers. `section` holds the free length. Empty without a
+/// bath.
+std::vector<std::string> bath_warnings(const Configuration& study, const std::string& section,
+                                       const beam::TipHistory& history);
 
 /// The motion of the support that [pulse] describes, with this duration [s] of each pulse. Throws
 /// InputError for a trace that cannot be read or a train that overlaps itself.

@@ -135,6 +135,7 @@ void set_motion(const Configuration& study, PiercingCase& c) {
                                 study.quantity("motion.ramp")});
   } else if (kind == "beam") {
     c.tip_history = beam_tip_history(study, c.fluid_density);
+    c.bath_warnings = bath_warnings(study, "beam", *c.tip_history);
     c.support_peak =
         beam::peak_displacement(support_motion(study, study.quantity("pulse.duration")));
     drive_by_history(study, c);

@@ -21,7 +21,8 @@ struct PiercingCase {
   /// [s].
   std::optional<beam::TipHistory> tip_history;
   double window_start = 0;
-  double support_peak = 0;  ///< of the pulse that drove the beam [m]
+  double support_peak = 0;                   ///< of the pulse that drove the beam [m]
+  std::vector<std::string> bath_warnings{};  ///< where the beam's bath is taken too far
 };
 
 /// The case that a piercing or comparison study describes for one fill. Integrates the beam or

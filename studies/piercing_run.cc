@@ -204,6 +204,7 @@ nlohmann::json PiercingRun::results() const {
     for (double u : case_.tip_history->displacement) amplitude = std::max(amplitude, std::abs(u));
     r["tip_amplitude"] = amplitude;
     r["window_start"] = case_.window_start;
+    if (!case_.bath_warnings.empty()) r["warnings"] = case_.bath_warnings;
     r["initial_speed"] = case_.setup.pipette.motion(0).velocity.norm();
   }
   r["largest_excursion"] = largest_excursion_;

@@ -87,46 +87,6 @@ double residual_amplitude(const beam::TipHistory& history) {
   return greatest;
 }
 
-/// Where the load of a cylinder that moves little, far from ends and walls, is taken too far.
-std::vector<std::string> bath_warnings(const Configuration& study,
-                                       const beam::TipHistory& history) {
-  std::vector<std::string> warnings;
-  if (study.choice("bath.model") == "none") return warnings;
-  const double diameter = study.quantity("pipette.outer_diameter");
-  const double immersed =
-      std::min(study.quantity("bath.immersed_length"), study.quantity("pipette.length"));
-  const double viscosity = study.quantity("bath.viscosity") / study.quantity("bath.density");
-  const double peak = std::abs(history.displacement[beam::index_of_peak(history.displacement)]);
-  const double speed = std::abs(history.velocity[beam::index_of_peak(history.velocity)]);
-  if (immersed == 0) return warnings;
-  if (peak > 0.1 * diameter)
-    warnings.push_back(fmt::format(
-        "the tip moves by {:.2g} of its diameter; the bath's linear load holds for less than about "
-        "0.1, beyond it drag grows (bath.drag_coefficient)",
-        peak / diameter));
-  if (speed * diameter / viscosity > 5)
-    warnings.push_back(fmt::format(
-        "the Reynolds number of the tip's speed, {:.2g} m/s, is {:.2g}; above about 5 the "
-        "flow separates, which the linear load does not know",
-        speed, speed * diameter / viscosity));
-  if (immersed < 10 * diameter)
-    warnings.push_back(fmt::format(
-        "{:.3g} um are immersed, {:.2g} diameters; the load of a long cylinder wants 10",
-        immersed * 1e6, immersed / diameter));
-  if (!study.is_auto("bath.wall_distance")) {
-    // Stokes' layer at the frequency of the tip's swing.
-    const double layer = std::sqrt(2 * viscosity * peak / speed);
-    const double wanted = 5 * (layer + diameter / 2);
-    const double wall = study.quantity("bath.wall_distance");
-    if (wall < wanted)
-      warnings.push_back(fmt::format(
-          "the wall is {:.3g} um away; nearer than about {:.3g} um, five times radius and viscous "
-          "layer, it adds mass and drag that are not counted",
-          wall * 1e6, wanted * 1e6));
-  }
-  return warnings;
-}
-
 VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pipette,
                              const beam::Sampling& sampling, const Configuration& study) {
   VibrationResult result;
@@ -146,9 +106,12 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   result.time_of_peak = history.time[farthest];
   result.peak_velocity = history.velocity[fastest];
   result.time_of_peak_velocity = history.time[fastest];
+  // Without a quadratic drag the tip's motion is proportional to the support's.
+  if (study.is_auto("pulse.peak") && study.number("bath.drag_coefficient") == 0)
+    result.gain_uncertainty = study.number("pulse.gain_uncertainty");
   result.ring_down = ring_down(history, end_of_pulse(motion));
   result.residual_amplitude = residual_amplitude(history);
-  result.warnings = bath_warnings(study, history);
+  result.warnings = bath_warnings(study, "pipette", history);
   if (study.boolean("output.sensitivities"))
     result.sensitivities = beam_sensitivities(study, setup);
   if (!study.boolean("output.history")) result.history = {};
@@ -172,6 +135,11 @@ nlohmann::json to_json(const VibrationResult& result) {
        std::isfinite(result.ring_down) ? nlohmann::json(result.ring_down) : nlohmann::json()},
       {"residual_amplitude", result.residual_amplitude},
       {"warnings", result.warnings}};
+  if (result.gain_uncertainty > 0) {
+    const double peak = std::abs(result.peak_displacement);
+    json["peak_displacement_range"] = {peak * (1 - result.gain_uncertainty),
+                                       peak * (1 + result.gain_uncertainty)};
+  }
   if (result.sensitivities) json["sensitivities"] = to_json(*result.sensitivities);
   return json;
 }
@@ -346,7 +314,8 @@ Job prepare_vibration(const Configuration& study) {
     write_amplitudes(session.directory, results);
     if (keep_history) write_history(session.directory, results);
     if (study.boolean("output.sensitivities")) write_sensitivities(session.directory, results);
-    const std::string table = amplitude_table(results) + warnings_of(results);
+    const std::string table =
+        amplitude_table(results) + calibration_text(study) + warnings_of(results);
     session.directory.log().info("greatest tip displacement over peak support displacement\n" +
                                  table);
     session.conclusion = table;

@@ -57,6 +57,7 @@ struct VibrationResult {
   /// run counts as never: then it is infinite.
   double ring_down = 0;
   double residual_amplitude = 0;  ///< greatest displacement in the last tenth of the run [m]
+  double gain_uncertainty = 0;    ///< relative, of displacements and velocities; 0: none is known
   std::optional<SensitivityResult> sensitivities;  ///< where they are wanted
   std::vector<std::string> warnings;               ///< where the bath's linear load does not hold
   beam::TipHistory history;                        ///< empty when it is not to be kept

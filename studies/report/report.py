@@ -298,6 +298,12 @@ def warnings(study, runs):
     if status != "complete":
         message = study.summary.get("message", "")
         found.append(f"The run is {status}{': ' + message if message else ''}; what follows is of the part computed.")
+    for run in runs if study.kind != "vibration" else []:
+        named = f" ({run.name})" if run.name else ""
+        found += [f"The beam's bath{named}: {text}." for text in run.results.get("warnings", [])]
+    if study.kind == "vibration":
+        worst = max(study.results, key=lambda result: len(result.get("warnings", [])), default={})
+        found += [f"The bath ({worst['fluid']}): {text}." for text in worst.get("warnings", [])]
     if study.kind not in ("piercing", "comparison"):
         return found
     diameter = _micrometres(study.keys["pipette"]["outer_diameter"])

@@ -141,7 +141,31 @@ TEST_CASE("a controller's voltage sets the peak by its gain") {
       "s.toml", kVibration + "[pulse]\npeak = \"auto\"\nvoltage = \"5 V\"\ngain = \"2 um/V\"\n");
   const Configuration study = load_configuration(file, {});
   CHECK(support_peak(study) == Approx(10e-6));
+  CHECK_THAT(calibration_text(study),
+             Contains("5 V times 2 um/V is 10 um") && Contains("5 to 15 um"));
   CHECK(peak_displacement(support_motion(study, 60e-6)) == Approx(10e-6));
+}
+
+TEST_CASE("the gain's uncertainty is that of the tip's displacement") {
+  const ScratchDirectory scratch;
+  const auto file = scratch.write("s.toml", kVibration + R"([pulse]
+peak = "auto"
+gain_uncertainty = 0.2
+durations = ["60 us"]
+[time]
+integrator = "modal"
+end = "1 ms"
+)");
+  const Answer run =
+      call("run " + file.string() + " --quiet --out " + (scratch.path() / "out").string());
+  INFO(run.text);
+  REQUIRE(run.code == 0);
+  CHECK_THAT(run.text, Contains("10 V times 1.79 um/V is 17.9 um"));
+  std::ifstream stream(scratch.path() / "out/summary.json");
+  const auto result = nlohmann::json::parse(stream)["results"][0];
+  const double peak = std::abs(result["peak_displacement"].get<double>());
+  CHECK(result["peak_displacement_range"][0] == Approx(0.8 * peak));
+  CHECK(result["peak_displacement_range"][1] == Approx(1.2 * peak));
 }
 
 TEST_CASE("a support can move as it was measured") {
