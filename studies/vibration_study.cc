@@ -232,8 +232,19 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
   const std::vector<VibrationCase> cases = vibration_cases(study);
   const std::vector<double> densities = study.quantities("fill.fluids");
   std::vector<FilledPipette> pipettes(densities.size());
-  for (std::size_t i = 0; i < densities.size(); ++i)
-    pipettes[i] = fill_pipette(study, densities[i]);
+  pipettes.front() = fill_pipette(study, densities.front());  // loads deal.II, once
+  std::vector<std::exception_ptr> refusals(densities.size());
+#pragma omp parallel for schedule(dynamic) num_threads(session.threads)
+  for (std::size_t i = 1; i < densities.size(); ++i) {
+    if (Interrupt::requested()) continue;
+    try {
+      pipettes[i] = fill_pipette(study, densities[i]);
+    } catch (...) {
+      refusals[i] = std::current_exception();
+    }
+  }
+  for (const std::exception_ptr& refusal : refusals)
+    if (refusal) std::rethrow_exception(refusal);
   const std::size_t pulses = cases.size() / pipettes.size();
   const beam::Sampling sampling = sampling_from(study, "time");
 
