@@ -57,7 +57,7 @@ const Elements& elements() {
 std::vector<double> radius_nodes(double least, double greatest) {
   const double span = std::log(greatest / least);
   if (span < 1e-12) return {least};
-  // Viscous loads are smooth in ln a: this many keep them to 1e-6.
+  // Viscous loads are smooth in ln a: this many keep them to 1e-5.
   const int count = 4 + static_cast<int>(std::ceil(2 * span));
   std::vector<double> nodes;
   for (int k = 0; k < count; ++k)

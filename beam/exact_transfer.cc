@@ -1,6 +1,7 @@
 #include "beam/exact_transfer.h"
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 
 namespace zona::beam {

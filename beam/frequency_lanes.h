@@ -189,4 +189,8 @@ inline void solve_relative(const BeamSystem& system, const Factors& factors, Ban
   band.substitute_back();
 }
 
+/// The observed point's absolute motion for unit motion of the support; `band` then holds factors
+/// and solution. Compiled for several instruction sets, of which the loader takes the best.
+void solve(const BeamSystem& system, const Factors& factors, BandSolve& band, Complexes& observed);
+
 }  // namespace zona::beam::lanes

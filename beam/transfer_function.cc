@@ -10,21 +10,22 @@
 #include "beam/require.h"
 
 namespace zona::beam {
-namespace {
 
-using namespace lanes;
-
-constexpr double kPi = 3.14159265358979323846;
-/// The observed point's absolute motion for unit motion of the support. Compiled for several
-/// instruction sets, of which the loader takes the best.
-[[gnu::flatten, gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]] void solve(
-    const BeamSystem& system, const Factors& factors, BandSolve& band, Complexes& observed) {
+[[gnu::flatten, gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]] void
+lanes::solve(const BeamSystem& system, const Factors& factors, BandSolve& band,
+             Complexes& observed) {
   solve_relative(system, factors, band);
   observed = Complexes{};
   observed.re += system.support_share;
   for (int i = 0; i < system.size(); ++i)
     if (system.observation(i) != 0) add(observed, system.observation(i), band.solution(i));
 }
+
+namespace {
+
+using namespace lanes;
+
+constexpr double kPi = 3.14159265358979323846;
 
 /// How fast the transform's line of s makes signals die out, times the time of the inversion.
 constexpr double kDamping = 30;
@@ -64,14 +65,21 @@ std::vector<Complex> TransferFunction::at(const std::vector<Complex>& s) const {
   return values;
 }
 
-Complex laplace_transform(const SupportMotion& motion, Complex s) {
+std::vector<Complex> laplace_transform(const SupportMotion& motion,
+                                       const std::vector<Complex>& points) {
+  std::vector<Complex> values;
   if (const auto* sine = std::get_if<SineMotion>(&motion)) {
     const double w = sine->angular_frequency;
-    return sine->amplitude * w / (s * s + w * w);
+    for (const Complex s : points) values.push_back(sine->amplitude * w / (s * s + w * w));
+    return values;
   }
-  Complex sum = 0;
-  for (const Kink& kink : kinks(motion)) sum += kink.velocity_jump * std::exp(-s * kink.time);
-  return sum / (s * s);
+  const std::vector<Kink> all_kinks = kinks(motion);
+  for (const Complex s : points) {
+    Complex sum = 0;
+    for (const Kink& kink : all_kinks) sum += kink.velocity_jump * std::exp(-s * kink.time);
+    values.push_back(sum / (s * s));
+  }
+  return values;
 }
 
 std::vector<Complex> transform_points(const Sampling& sampling) {
@@ -108,7 +116,8 @@ TipHistory integrate_by_transform(const BeamSystem& system, const SupportMotion&
 TipHistory history_by_transform(std::vector<Complex> values, const SupportMotion& motion,
                                 const Sampling& sampling) {
   const std::vector<Complex> points = transform_points(sampling);
-  for (std::size_t k = 0; k < points.size(); ++k) values[k] *= laplace_transform(motion, points[k]);
+  const std::vector<Complex> support = laplace_transform(motion, points);
+  for (std::size_t k = 0; k < points.size(); ++k) values[k] *= support[k];
   TipHistory history;
   history.displacement = invert_transform(sampling, values);
   for (std::size_t k = 0; k < points.size(); ++k) values[k] *= points[k];

@@ -31,8 +31,9 @@ class TransferFunction {
   const BeamSystem& system_;
 };
 
-/// Laplace transform of the support's displacement.
-std::complex<double> laplace_transform(const SupportMotion& motion, std::complex<double> s);
+/// Laplace transform of the support's displacement at each s [m s].
+std::vector<std::complex<double>> laplace_transform(const SupportMotion& motion,
+                                                    const std::vector<std::complex<double>>& s);
 
 /// Values of s for `invert_transform`: a line right of the imaginary axis.
 std::vector<std::complex<double>> transform_points(const Sampling& sampling);

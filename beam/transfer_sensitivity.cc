@@ -53,15 +53,6 @@ differentiate(const ParameterStencil& parameter, const std::array<Factors, 4>& f
     if (system.observation(i) != 0) add(observed, system.observation(i), rates[i]);
 }
 
-[[gnu::flatten, gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]] void solve(
-    const BeamSystem& system, const Factors& factors, BandSolve& band, Complexes& observed) {
-  solve_relative(system, factors, band);
-  observed = Complexes{};
-  observed.re += system.support_share;
-  for (int i = 0; i < system.size(); ++i)
-    if (system.observation(i) != 0) add(observed, system.observation(i), band.solution(i));
-}
-
 }  // namespace
 
 TransferSensitivity transfer_sensitivity(const BeamSystem& system,

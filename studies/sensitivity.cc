@@ -283,11 +283,9 @@ SensitivityResult beam_sensitivities(const Configuration& study, const Vibration
   }
 
   const beam::TransferSensitivity transfer = beam::transfer_sensitivity(system, stencils, points);
-  std::vector<Complex> support(points.size()), tip(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    support[k] = beam::laplace_transform(motion, points[k]);
-    tip[k] = transfer.transfer[k] * support[k];
-  }
+  const std::vector<Complex> support = beam::laplace_transform(motion, points);
+  std::vector<Complex> tip(transfer.transfer);
+  for (std::size_t k = 0; k < points.size(); ++k) tip[k] *= support[k];
   const double pulse_end = beam::kinks(motion).back().time;
   const Response response(tip, points, sampling, pulse_end);
   response.report(result);
@@ -322,8 +320,8 @@ SensitivityResult beam_response(const Configuration& study, const VibrationCase&
   const beam::Sampling sampling = sampling_from(study, "time");
   const std::vector<Complex> points = beam::transform_points(sampling);
   std::vector<Complex> tip = beam::TransferFunction(system).at(points);
-  for (std::size_t k = 0; k < points.size(); ++k)
-    tip[k] *= beam::laplace_transform(motion, points[k]);
+  const std::vector<Complex> support = beam::laplace_transform(motion, points);
+  for (std::size_t k = 0; k < points.size(); ++k) tip[k] *= support[k];
   SensitivityResult result;
   Response(tip, points, sampling, beam::kinks(motion).back().time).report(result);
   return result;

@@ -1,3 +1,4 @@
+#include <Eigen/Dense>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "beam/newmark_stepper.h"
 #include "beam/relaxation.h"
 #include "beam/transfer_function.h"
+#include "beam/transient_beam.h"
 #include "cases.h"
 
 using namespace zona::beam;
@@ -42,10 +44,10 @@ std::vector<UniformPiece> pieces_of(const Pipette& pipette) {
 /// The tip by the exact transfer function, inverted.
 std::vector<double> exact_tip(const Pipette& pipette, const SupportMotion& motion,
                               const Sampling& sampling) {
-  std::vector<Complex> values;
-  for (const Complex s : transform_points(sampling))
-    values.push_back(exact_transfer(pieces_of(pipette), pipette.bath.liquid, s) *
-                     laplace_transform(motion, s));
+  const std::vector<Complex> points = transform_points(sampling);
+  std::vector<Complex> values = laplace_transform(motion, points);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    values[k] *= exact_transfer(pieces_of(pipette), pipette.bath.liquid, points[k]);
   return invert_transform(sampling, values);
 }
 
@@ -66,6 +68,28 @@ TEST_CASE("the hydrodynamic function of a cylinder has Sader's values") {
   // Stokes' layer is thin: half of its added mass, lambda + 1/2 - 1/(8 lambda).
   const Complex thin = std::polar(200., -kPi / 4);
   CHECK(std::abs(viscous_ratio(thin) - (thin + 0.5 - 1. / (8. * thin))) < 1e-5);
+}
+
+TEST_CASE("the load on a taper is interpolated between few radii") {
+  Pipette pipette = immersed("none", 10e-3, 20);
+  pipette.profile = {{0, 10e-6, 8e-6}, {10e-3, 1e-3, 0.8e-3}};
+  const Immersion bath = cantilever(pipette).immersion;
+  double greatest_error = 0;
+  for (double radius = bath.radius.front(); radius < bath.radius.back(); radius *= 1.1)
+    for (double omega = 100; omega < 1e6; omega *= 3) {
+      Complex sum = 0;
+      for (std::size_t k = 0; k < bath.radius.size(); ++k) {
+        double share = 1;
+        for (std::size_t i = 0; i < bath.radius.size(); ++i)
+          if (i != k)
+            share *= std::log(radius / bath.radius[i]) / std::log(bath.radius[k] / bath.radius[i]);
+        sum += share * viscous_load(bath.liquid, bath.radius[k], {0, omega});
+      }
+      const Complex exact = viscous_load(bath.liquid, radius, {0, omega});
+      greatest_error = std::max(greatest_error, std::abs(sum / exact - 1.));
+    }
+  INFO(bath.radius.size() << " radii");
+  CHECK(greatest_error < 1e-5);
 }
 
 TEST_CASE("the slope of the viscous ratio is that of differences") {
@@ -201,10 +225,39 @@ TEST_CASE("the transient beam has the exact spectrum up to the sixth mode") {
       Complex spectrum = 0;
       for (std::size_t i = 0; i < tip.time.size(); ++i)
         spectrum += sampling.step * tip.displacement[i] * std::exp(-s * tip.time[i]);
-      const Complex exact =
-          exact_transfer(pieces_of(pipette), pipette.bath.liquid, s) * laplace_transform(pulse, s);
+      const Complex exact = exact_transfer(pieces_of(pipette), pipette.bath.liquid, s) *
+                            laplace_transform(pulse, {s}).front();
       INFO(fluid << ", mode at " << first * ratio << " Hz");
       CHECK(std::abs(spectrum / exact - 1.) < 0.01);
+    }
+  }
+}
+
+TEST_CASE("beams in frequency and in time have the exact response up to the sixth mode") {
+  for (const std::string fluid : {"none", "mercury"}) {
+    const Pipette pipette = immersed(fluid, 10e-3);
+    const BeamSystem system = cantilever(pipette);
+    const TransferFunction transfer(system);
+    const TransientBeam beam = transient_beam(system, {1e2, 1e6});
+    const double first = fluid == "none" ? 99 : 27.7;
+    for (double frequency = first; frequency < 85 * first; frequency *= 1.3) {
+      const Complex s(0, 2 * kPi * frequency);
+      const Complex exact = exact_transfer(pieces_of(pipette), pipette.bath.liquid, s);
+      // The transient beam's equations in the Laplace domain, q / g.
+      Eigen::MatrixXcd matrix = s * s * beam.mass.dense() + s * beam.damping.dense();
+      matrix += beam.stiffness.dense();
+      Eigen::VectorXcd load = -(s * s * beam.support_mass + s * beam.support_damping);
+      for (std::size_t k = 0; k < beam.basis.size(); ++k) {
+        const Complex memory = (beam.weight.col(k).array() * s / (s + beam.rate)).sum();
+        matrix += memory * beam.basis[k].dense();
+        load -= memory * beam.support[k];
+      }
+      const Eigen::VectorXcd relative = matrix.partialPivLu().solve(load);
+      const Complex transient =
+          1. + system.observation.cast<Complex>().cwiseProduct(relative).sum();
+      INFO(fluid << ", " << frequency << " Hz");
+      CHECK(std::abs(transfer(s) / exact - 1.) < 0.01);
+      CHECK(std::abs(transient / exact - 1.) < 0.01);
     }
   }
 }
