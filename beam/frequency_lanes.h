@@ -8,21 +8,21 @@
 #include "beam/beam_system.h"
 #include "beam/relaxation.h"
 
-/// What solves a beam's equations at eight frequencies at once; of use to `transfer_function.cc`
+/// What solves a beam's equations at four frequencies at once; of use to `transfer_function.cc`
 /// and `transfer_sensitivity.cc` only. All is inlined into functions that are compiled for several
 /// instruction sets.
 namespace zona::beam::lanes {
 
 using Complex = std::complex<double>;
 
-constexpr int kLanes = 8;
-/// Eight numbers that are computed together, in as many registers as the processor needs. The
-/// alignment is spelt out, because without AVX-512 the compiler takes less than code with it relies
-/// on.
+constexpr int kLanes = 4;
+/// Four numbers that are computed together, in one register of AVX2. Eight would fill one of
+/// AVX-512, but without that the compiler moves them through memory, six times as slowly. The
+/// alignment is spelt out, because without AVX the compiler takes less than code with it relies on.
 constexpr std::size_t kLaneBytes = kLanes * sizeof(double);
 using Lane = double __attribute__((vector_size(kLaneBytes), aligned(kLaneBytes)));
 
-/// Eight complex numbers.
+/// Four complex numbers.
 struct alignas(kLaneBytes) Complexes {
   Lane re{};
   Lane im{};
@@ -51,7 +51,7 @@ inline void invert(Complexes& a) {
   a.im *= -scale;
 }
 
-/// The equations at eight values of s as factors of the system's matrices.
+/// The equations at four values of s as factors of the system's matrices.
 struct Factors {
   Complexes stiffness;
   Complexes mass;                ///< of the structure, Rayleigh damping with it

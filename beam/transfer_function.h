@@ -24,7 +24,7 @@ class TransferFunction {
   /// V/g at s [rad/s].
   std::complex<double> operator()(std::complex<double> s) const;
 
-  /// At many values, eight at once.
+  /// At many values, four at once.
   std::vector<std::complex<double>> at(const std::vector<std::complex<double>>& s) const;
 
  private:
@@ -39,8 +39,9 @@ std::vector<std::complex<double>> laplace_transform(const SupportMotion& motion,
 std::vector<std::complex<double>> transform_points(const Sampling& sampling);
 
 /// The real function of time with this Laplace transform, given at the `transform_points`, at the
-/// samples: a discrete Fourier transform along the line, over twice the samples' time, so that what
-/// comes after it has died out by exp(-15).
+/// samples: a discrete Fourier transform along the line, over twice the samples' time or more. What
+/// comes after that time returns by exp(-16); frequencies above three eighths of the samples' fade
+/// out.
 std::vector<double> invert_transform(const Sampling& sampling,
                                      const std::vector<std::complex<double>>& transform);
 
@@ -51,7 +52,7 @@ TipHistory history_by_transform(std::vector<std::complex<double>> transfer,
 
 /// Motion of the observed point at the samples, by the inverse Laplace transform of
 /// TransferFunction times that of the support's motion. The velocity and the acceleration have no
-/// frequencies above half the samples'.
+/// frequencies above half the samples', and less of those above three eighths.
 TipHistory integrate_by_transform(const BeamSystem& system, const SupportMotion& motion,
                                   const Sampling& sampling);
 
