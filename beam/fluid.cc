@@ -9,7 +9,16 @@ namespace zona::beam {
 
 const std::vector<Fluid>& named_fluids() {
   static const std::vector<Fluid> fluids = {
-      {"none", 0}, {"water", 1000}, {"fluorinert", 1780}, {"mercury", 13600}};
+      {"none", 0, "air, of which the mass is left out"},
+      {"light_oil", 840, "light mineral oil, 0.84 g/mL at 25 C (makers' catalogues)"},
+      {"water", 1000, "Table 5.7"},
+      {"PVP", 1020, "10 % of polyvinylpyrrolidone in water, 1.02 g/mL (estimated from its mass)"},
+      {"perfluorooctane", 1766, "perfluoro-n-octane, 1.766 g/mL at 25 C (makers' catalogues)"},
+      {"fluorinert", 1780, "Table 5.7"},
+      {"FC-77", 1780, "3M product information, 25 C"},
+      {"FC-40", 1855, "3M product information, 25 C"},
+      {"FC-70", 1940, "3M product information, 25 C"},
+      {"mercury", 13600, "Table 5.7"}};
   return fluids;
 }
 

@@ -6,13 +6,15 @@
 
 namespace zona::beam {
 
-/// What fills the bore of the pipette.
+/// What fills the bore of the pipette. The beam feels its density only.
 struct Fluid {
   std::string name;    ///< what studies call it
   double density = 0;  ///< [kg/m^3]
+  std::string source;  ///< where the density comes from
 };
 
-/// The fills of Table 5.7 and the empty pipette, in the order of increasing density.
+/// The fills of Table 5.7, the empty pipette and fluids that might take the place of mercury, in
+/// the order of increasing density.
 const std::vector<Fluid>& named_fluids();
 
 /// The named fluid; throws std::invalid_argument that lists the known names for any other.

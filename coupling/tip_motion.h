@@ -49,6 +49,7 @@ class TipMotion {
 
   double start() const { return start_; }    ///< of the window, in the history's time [s]
   double length() const { return length_; }  ///< of the window [s]
+  const Eigen::Vector3d& axis() const { return axis_; }  ///< of length one
   /// Speed along the axis at the window's start before any ramp [m/s].
   double initial_speed() const;
 

@@ -176,6 +176,10 @@ void add_item(const Parameter& parameter, const TomlValue& item, Setting& settin
     case Kind::text:
       if (item.type != Type::text) wrong_type(parameter, item);
       break;
+    case Kind::any:
+      if (item.type == Type::list || item.type == Type::table || item.type == Type::date)
+        wrong_type(parameter, item);
+      break;
   }
   setting.numbers.push_back(number);
   setting.texts.push_back(item.type == Type::text ? item.text : item.written());

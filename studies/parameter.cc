@@ -46,6 +46,8 @@ std::string expected_item(const Parameter& parameter) {
                                          : "the name of a [[" + parameter.refers_to + "]]";
     case Parameter::Kind::file:
       return "the path of a file";
+    case Parameter::Kind::any:
+      return "a text, a number, true or false";
   }
   if (parameter.allowed.empty()) return "a whole number";
   std::vector<std::string> words;
@@ -157,13 +159,16 @@ std::string Parameter::expectation() const {
 }
 
 std::string Parameter::example() const {
-  if (default_toml.empty() || default_toml == "\"auto\"" || default_toml == "\"\"") {
+  const bool tells_nothing = default_toml.empty() || default_toml == "\"auto\"" ||
+                             default_toml == "\"\"" || kind == Kind::any;
+  if (tells_nothing) {
     std::string item = default_toml;
     if (kind == Kind::quantity || kind == Kind::formula) item = quoted_toml(example_of(unit));
     if (kind == Kind::file || kind == Kind::text) item = "\"trace.csv\"";
     if (kind == Kind::name) item = "\"left\"";
     if (kind == Kind::choice) item = quoted_toml(choices.front());
     if (kind == Kind::number || kind == Kind::integer) item = "1";
+    if (kind == Kind::any) item = "\"60 us\"";
     return is_list
                ? toml_list(std::vector<std::string>(std::max<std::size_t>(exact_count, 1), item))
                : item;

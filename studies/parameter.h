@@ -36,7 +36,7 @@ struct Condition {
 /// Everything that is declared about one key of a study file. Built by the calls of `Schema` and
 /// completed by the chained calls below; each returns the parameter itself.
 struct Parameter {
-  enum class Kind { quantity, formula, number, integer, boolean, choice, text, name, file };
+  enum class Kind { quantity, formula, number, integer, boolean, choice, text, name, file, any };
 
   std::string key;  ///< dotted, e.g. "grid.cell"
   Kind kind = Kind::text;

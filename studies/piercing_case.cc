@@ -94,17 +94,7 @@ Vector3d motion_axis(const Configuration& study) {
 
 /// The motion of the tip in the window of its history.
 void drive_by_history(const Configuration& study, PiercingCase& c) {
-  coupling::TipMotionOptions options;
-  if (!study.is_auto("motion.window_start")) options.start = study.quantity("motion.window_start");
-  options.start_fraction = study.number("motion.auto_fraction");
-  options.length = simulation_end(study);
-  options.scale = study.number("motion.scale");
-  options.axis = motion_axis(study);
-  options.ramp = study.quantity("motion.ramp");
-  const char* key =
-      study.is_auto("motion.window_start") ? "motion.window_length" : "motion.window_start";
-  const auto motion =
-      blaming(study, key, [&] { return coupling::TipMotion(*c.tip_history, options); });
+  const coupling::TipMotion motion = tip_motion(study, *c.tip_history);
   c.window_start = motion.start();
   c.setup.pipette.motion = motion;
 }
@@ -147,6 +137,19 @@ void set_motion(const Configuration& study, PiercingCase& c) {
 }
 
 }  // namespace
+
+coupling::TipMotion tip_motion(const Configuration& study, const beam::TipHistory& history) {
+  coupling::TipMotionOptions options;
+  if (!study.is_auto("motion.window_start")) options.start = study.quantity("motion.window_start");
+  options.start_fraction = study.number("motion.auto_fraction");
+  options.length = simulation_end(study);
+  options.scale = study.number("motion.scale");
+  options.axis = motion_axis(study);
+  options.ramp = study.quantity("motion.ramp");
+  const char* key =
+      study.is_auto("motion.window_start") ? "motion.window_length" : "motion.window_start";
+  return blaming(study, key, [&] { return coupling::TipMotion(history, options); });
+}
 
 beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density) {
   const beam::Pipette pipette = pipette_from(study, "beam", fluid_density);

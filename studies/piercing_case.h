@@ -4,6 +4,7 @@
 #include <string>
 
 #include "beam/tip_history.h"
+#include "coupling/tip_motion.h"
 #include "studies/configuration.h"
 #include "studies/piercing_model.h"
 
@@ -29,6 +30,10 @@ struct PiercingCase {
 /// reads the trace where the motion asks for it. Throws InputError, naming file and line.
 PiercingCase make_piercing_case(const Configuration& study, const std::string& fluid,
                                 double fluid_density);
+
+/// The part of a tip's history that [motion] lets drive the pipette. Throws InputError for a window
+/// outside the history.
+coupling::TipMotion tip_motion(const Configuration& study, const beam::TipHistory& history);
 
 /// The pipette of a study's [beam] table with its bore full of a fluid [kg/m^3], driven by its
 /// [pulse].

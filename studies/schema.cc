@@ -121,6 +121,22 @@ Parameter& Schema::text(const std::string& key, const std::string& value) {
   return add(key, Parameter::Kind::text, quoted_toml(value));
 }
 
+Parameter& Schema::texts(const std::string& key, const std::vector<std::string>& values) {
+  Parameter& parameter = add(key, Parameter::Kind::text, toml_list(quoted_toml(values)));
+  parameter.is_list = true;
+  return parameter.or_none();
+}
+
+Parameter& Schema::anything(const std::string& key) {
+  Parameter& parameter = add(key, Parameter::Kind::any, "[]");
+  parameter.is_list = true;
+  return parameter.or_none();
+}
+
+Parameter& Schema::bound(const std::string& key) {
+  return add(key, Parameter::Kind::any, quoted_toml("auto")).or_auto();
+}
+
 Parameter& Schema::reference(const std::string& key, const std::string& refers_to) {
   Parameter& parameter = add(key, Parameter::Kind::name, "");
   parameter.refers_to = refers_to;

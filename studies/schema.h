@@ -77,6 +77,11 @@ class Schema {
   Parameter& choices(const std::string& key, const std::vector<std::string>& allowed,
                      const std::vector<std::string>& values);
   Parameter& text(const std::string& key, const std::string& value);
+  Parameter& texts(const std::string& key, const std::vector<std::string>& values);
+  /// Values that stand for those of another key, of whatever kind that is; none by default.
+  Parameter& anything(const std::string& key);
+  /// One such value, "auto" by default.
+  Parameter& bound(const std::string& key);
   /// The name of an item of the list `refers_to`; it has no default.
   Parameter& reference(const std::string& key, const std::string& refers_to);
   Parameter& references(const std::string& key, const std::string& refers_to);

@@ -4,10 +4,15 @@
 
 #include <algorithm>
 
+#include "beam/fluid.h"
+
 namespace zona::studies {
 
 std::vector<NamedValue> fill_fluids() {
-  return {{"none", 0}, {"water", 1000}, {"fluorinert", 1780}, {"mercury", 13600}};
+  std::vector<NamedValue> fluids;
+  for (const beam::Fluid& fluid : beam::named_fluids())
+    fluids.emplace_back(fluid.name, fluid.density);
+  return fluids;
 }
 
 void declare_pipette_bore(Schema& schema, const std::string& section) {
@@ -222,14 +227,18 @@ void check_bore(const std::string& section, const Configuration& study, const Co
                        inner * 1e6, outer * 1e6, inner_key, outer_key));
 }
 
-void declare_run(Schema& schema) {
-  schema.section("run", "How the program runs. The results do not depend on it.");
+void declare_threads_and_log(Schema& schema) {
   schema.integer("run.threads", 0).in("[0, 4096]").doc("Number of threads; 0 takes all.");
   schema.choice("run.log_level", {"info", "debug", "warning", "error"})
       .doc(
           "What log.txt holds: \"debug\" adds every frame; \"warning\" and \"error\" leave out "
           "what "
           "went well.");
+}
+
+void declare_run(Schema& schema) {
+  schema.section("run", "How the program runs. The results do not depend on it.");
+  declare_threads_and_log(schema);
   schema.quantity("run.checkpoint_interval", "s", "300 s")
       .in("[0, 1e7]")
       .doc(

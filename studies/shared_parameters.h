@@ -7,7 +7,7 @@
 
 namespace zona::studies {
 
-/// Fluids that fill a pipette, by name, with their densities [kg/m^3] (Table 5.7).
+/// Fluids that fill a pipette, by name, with their densities [kg/m^3] (beam::named_fluids).
 std::vector<NamedValue> fill_fluids();
 
 /// Keys that several study kinds share, with the same meaning. Each call declares some keys of the
@@ -25,6 +25,8 @@ void declare_pulse_form(Schema& schema, const std::vector<std::string>& shapes);
 void declare_beam_integration(Schema& schema, const std::string& section,
                               const std::vector<std::string>& integrators);
 
+/// Keys of the section [run] that any study may have.
+void declare_threads_and_log(Schema& schema);
 /// The section [run] of studies that take many steps.
 void declare_run(Schema& schema);
 

@@ -46,6 +46,7 @@ const StudyKind& find_study_kind(const std::string& name);
 Schema make_vibration_schema();
 Schema make_piercing_schema();
 Schema make_comparison_schema();
+Schema make_search_schema();
 Schema make_scene_schema();
 Schema make_material_point_schema();
 

@@ -81,6 +81,62 @@ class Tornado(Chart):
             writer.writerows((label, repr(float(value))) for label, value in self.rows)
 
 
+class Scatter(Chart):
+    """Points of several kinds: `lines` are (label, x, y); with `logarithmic` axes."""
+
+    def __init__(self, name, title, x_label, y_label, lines, logarithmic=False):
+        super().__init__(name, title, x_label, y_label, lines)
+        self.logarithmic = logarithmic
+
+    def draw(self, folder):
+        figure, axes = plt.subplots(figsize=(6.4, 4), layout="constrained")
+        for index, (label, x, y) in enumerate(self.lines):
+            axes.scatter(x, y, s=9, color=COLOURS[index % len(COLOURS)], label=label, linewidths=0,
+                         marker="o^sDvP*X"[index // len(COLOURS) % 8], alpha=0.75)
+        if self.logarithmic:
+            axes.set_xscale("log")
+            axes.set_yscale("log")
+        axes.set_xlabel(self.x_label)
+        axes.set_ylabel(self.y_label)
+        axes.legend(fontsize=8, loc="lower left", bbox_to_anchor=(0, 1), ncols=5, borderaxespad=0.2, markerscale=2)
+        return self._save(figure, folder)
+
+
+class Intervals(Chart):
+    """Values with intervals: `rows` are (label, x, (low, high), y, (low, high), is_marked); without y, one below
+    another."""
+
+    def __init__(self, name, title, x_label, y_label, rows):
+        super().__init__(name, title, x_label, y_label, [])
+        self.rows = rows
+
+    def draw(self, folder):
+        has_y = self.rows[0][3] is not None
+        figure, axes = plt.subplots(figsize=(6.4, 4 if has_y else 0.9 + 0.3 * len(self.rows)), layout="constrained")
+        for place, (label, x, x_range, y, y_range, is_marked) in enumerate(self.rows):
+            colour = COLOURS[2] if is_marked else COLOURS[1] if label == "reference" else COLOURS[6]
+            down = -place if not has_y else y
+            axes.plot(x_range, [down, down], color=colour, linewidth=1.2 if has_y else 3, alpha=0.6)
+            if has_y:
+                axes.plot([x, x], y_range, color=colour, linewidth=1.2, alpha=0.6)
+                axes.annotate(label, (x, y), fontsize=7, xytext=(4, 3), textcoords="offset points")
+            axes.plot([x], [down], "o", color=colour, markersize=5)
+        if not has_y:
+            axes.set_yticks([-place for place in range(len(self.rows))], [row[0] for row in self.rows], fontsize=8)
+            axes.grid(axis="y", visible=False)
+        else:
+            axes.set_ylabel(self.y_label)
+        axes.set_xlabel(self.x_label)
+        return self._save(figure, folder)
+
+    def _write_csv(self, path):
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(["design", self.x_label, "low", "high", self.y_label, "low", "high"])
+            for label, x, x_range, y, y_range, _ in self.rows:
+                writer.writerow([label, x, *x_range, y, *y_range])
+
+
 def _inline(svg, name):
     """Without the XML prologue and with names of its own, so that several fit into one page."""
     svg = svg[svg.index("<svg"):]

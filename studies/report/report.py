@@ -8,7 +8,6 @@ of render_zona.py. The replay is drawn by three.js of Debian's libjs-three; with
 """
 
 import base64
-import html
 import json
 import pathlib
 import sys
@@ -16,8 +15,10 @@ import sys
 import numpy as np
 
 from charts import Chart, Tornado, spectrum
+from markup import escaped, number, table
 from replay import pack_run
 from run_data import Study
+from search import search_part
 
 THREE = pathlib.Path("/usr/share/javascript/three")
 HERE = pathlib.Path(__file__).resolve().parent
@@ -27,6 +28,7 @@ QUESTIONS = {
     "piercing": "What does this motion of the pipette do to the zona pellucida, and to the rest of the oocyte?",
     "comparison": "Which fill of the pipette lets the same pulse pierce the zona, and at what cost to the oocyte?",
     "vibration": "How far does the tip of the pipette swing after a pulse at its support, for each fill and pulse?",
+    "search": "Which fill, pipette and pulse pierce the zona with the least damage, and what is uncertain about it?",
     "scene": "What do the bodies of this scene do?",
     "material_point": "How does one point of this material answer to the prescribed path?",
 }
@@ -52,23 +54,6 @@ COST = [("points", "points", 1, ""), ("steps", "steps", 1, ""), ("time_step", "t
         ("output_seconds", "of it for output", 1, "s"),
         ("point_steps_per_second", "speed, point-steps", 1e-6, "million/s"),
         ("peak_memory_bytes", "memory at its greatest", 1e-6, "MB")]
-
-
-def escaped(text):
-    return html.escape(str(text))
-
-
-def number(value, factor=1.0):
-    if value is None:
-        return "none"
-    value *= factor
-    return f"{value:.0f}" if value == int(value) and abs(value) < 1e9 else f"{value:.4g}"
-
-
-def table(header, rows):
-    head = "".join(f"<th>{escaped(cell)}</th>" for cell in header)
-    body = "".join("<tr>" + "".join(f"<td>{escaped(cell)}</td>" for cell in row) + "</tr>" for row in rows)
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def number_table(runs, entries):
@@ -361,6 +346,8 @@ def build(directory, scripts):
         piercing_part(page, runs)
     elif study.kind == "vibration":
         vibration_part(page, study.results)
+    elif study.kind == "search":
+        search_part(page, study)
     elif study.kind == "scene":
         scene_part(page, runs)
     else:

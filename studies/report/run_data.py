@@ -23,7 +23,9 @@ class Table:
                 name = title
             self.names.append(name)
             self.units[name] = unit.rstrip("]")
-        values = np.array([[_number(cell) for cell in row] for row in rows if len(row) == len(header)])
+        rows = [row for row in rows if len(row) == len(header)]
+        self.first_cells = [row[0] for row in rows]
+        values = np.array([[_number(cell) for cell in row] for row in rows])
         self.columns = dict(zip(self.names, values.T if len(values) else np.empty((len(header), 0))))
 
     def __contains__(self, name):

@@ -80,8 +80,8 @@ TEST_CASE(
     "forty amplitudes: denser fills ring less for the shortest pulse, as the source concludes") {
   const auto pulse = triangular_pulse(1, 60e-6);
   double previous = 10;
-  for (const Fluid& fluid : named_fluids()) {
-    const ExactCantilever exact(uniform_beam(test::pipette_with(fluid.name)), kExactModes);
+  for (const char* fluid : {"none", "water", "fluorinert", "mercury"}) {
+    const ExactCantilever exact(uniform_beam(test::pipette_with(fluid)), kExactModes);
     const double ratio = amplitude_ratio(exact.tip_history(pulse, kRun), 1);
     CHECK(ratio < previous);
     previous = ratio;

@@ -57,6 +57,36 @@ TEST_CASE("summary.json of every kind of study follows its published schema") {
                       " --set 'time.end=\"4 us\"' --set 'fill.fluids=[\"water\", \"none\"]'",
                   0, "complete");
   }
+  SECTION("search") {
+    const ScratchDirectory scratch;
+    scratch.write("reference.toml",
+                  "base = \"" + studies +
+                      "piercing_beam_quick.toml\"\n[grid]\ncell = \"12 um\"\ndomain = \"168 "
+                      "um\"\n[zona]\nlevel = 4\nelastic_limit = 0.002\n[cytoplasm]\n"
+                      "points_per_cell = 1\n[motion]\nwindow_length = \"1 us\"\n");
+    const auto file = scratch.write("s.toml", R"(
+study = "search"
+[search]
+study = "reference.toml"
+samples = 4
+evaluations = 2
+candidates = 2
+uncertainty_samples = 2
+[[variable]]
+key = "fill.fluid"
+values = ["water", "none"]
+[[variable]]
+key = "pulse.peak"
+range = ["3 um", "20 um"]
+[[uncertain]]
+key = "zona.youngs_modulus"
+range = ["3 kPa", "23 kPa"]
+[[uncertain]]
+key = "cytoplasm.points_per_cell"
+values = [1, 8]
+)");
+    check_summary(file.string(), 0, "complete");
+  }
   SECTION("scene") {
     check_summary(studies + "verification/hanging_bar.toml --set 'time.end=\"1 ms\"'", 0,
                   "complete");

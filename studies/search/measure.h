@@ -1,0 +1,35 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace zona::studies::search {
+
+/// What a search makes small or keeps within limits: of the tip's motion alone, which takes a beam,
+/// or of the oocyte, which takes a piercing. Less is better, but within limits.
+struct Measure {
+  enum class Of { tip, oocyte };
+
+  std::string name;  ///< in study files and in results
+  Of of;
+  std::string unit;           ///< SI; empty for a pure number
+  double shown_factor;        ///< from SI to what people read
+  std::string shown_unit;     ///< "um^2"
+  std::string title;          ///< "failed area"
+  std::string documentation;  ///< a sentence
+};
+
+const std::vector<Measure>& measures();
+
+/// Throws std::logic_error for a name that does not exist.
+const Measure& find_measure(const std::string& name);
+
+/// Names of those of tip or oocyte.
+std::vector<std::string> measure_names(Measure::Of of);
+std::vector<std::string> measure_names();
+
+/// "2065 um^2", "3.6".
+std::string shown(const Measure& measure, double value);
+
+}  // namespace zona::studies::search
