@@ -9,15 +9,16 @@ namespace zona::beam {
 
 const std::vector<Fluid>& named_fluids() {
   static const std::vector<Fluid> fluids = {
-      {"none", 0, "air, of which the mass is left out"},
-      {"light_oil", 840, "light mineral oil, 0.84 g/mL at 25 C (makers' catalogues)"},
+      {"none", 0, "air, whose mass is left out"},
+      {"light_oil", 840, "light mineral oil, Sigma's, as quoted by studies of embryo culture"},
       {"water", 1000, "Table 5.7"},
-      {"PVP", 1020, "10 % of polyvinylpyrrolidone in water, 1.02 g/mL (estimated from its mass)"},
-      {"perfluorooctane", 1766, "perfluoro-n-octane, 1.766 g/mL at 25 C (makers' catalogues)"},
+      {"PVP", 1018, "10 % w/v in water at 25 C, estimated from 0.797 mL/g of the polymer"},
+      {"perfluorooctane", 1766, "perfluoro-n-octane, Aldrich's catalogue, as quoted"},
       {"fluorinert", 1780, "Table 5.7"},
-      {"FC-77", 1780, "3M product information, 25 C"},
-      {"FC-40", 1855, "3M product information, 25 C"},
-      {"FC-70", 1940, "3M product information, 25 C"},
+      {"FC-77", 1780, "3M's product information, as quoted"},
+      {"FC-40", 1855, "3M's product information, 25 C, as quoted"},
+      {"FC-70", 1940, "3M's product information, 25 C, as quoted"},
+      {"galinstan", 6440, "at 20 C, as quoted; it wets glass"},
       {"mercury", 13600, "Table 5.7"}};
   return fluids;
 }

@@ -183,6 +183,7 @@ void SearchRun::pierce_candidates() {
     Candidate& candidate = i == 0 ? reference_ : candidates_[i - 1];
     candidate.folder = store_.folder_of(studies[i]).string();
     candidate.nominal = all_values(candidate.nominal, results[i]);
+    if (results[i].contains("warnings")) candidate.warnings = results[i]["warnings"];
   }
 }
 
@@ -305,11 +306,9 @@ json SearchRun::candidate_json(const Candidate& candidate) const {
   json settings = json::object();
   for (const std::string& setting : candidate.settings)
     settings[key_of(setting)] = shown_value(setting);
-  return {{"label", candidate.label},
-          {"settings", settings},
-          {"avoids", candidate.is_free},
-          {"folder", candidate.folder},
-          {"nominal", candidate.nominal}};
+  return {{"label", candidate.label},       {"settings", settings},
+          {"avoids", candidate.is_free},    {"folder", candidate.folder},
+          {"warnings", candidate.warnings}, {"nominal", candidate.nominal}};
 }
 
 json verdict_json(const Verdict& verdict) {
@@ -360,8 +359,8 @@ std::string SearchRun::table() const {
     const auto found = verdict.measures.find(measure.name);
     if (found == verdict.measures.end()) return std::string("unknown");
     const Spread& s = found->second;
-    const double f = measure.shown_factor;
-    return fmt::format("{:.4g} ({:.3g}-{:.3g})", s.median * f, s.low * f, s.high * f);
+    return fmt::format("{} ({}-{})", shown_number(measure, s.median), shown_number(measure, s.low),
+                       shown_number(measure, s.high));
   };
   std::string text = fmt::format("{:>4}  {:<24}{:>7}", "rank", "design", "limits");
   for (const Measure* m : plan_.objectives)

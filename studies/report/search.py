@@ -5,12 +5,17 @@ import pathlib
 import numpy as np
 
 from charts import Chart, Intervals, Scatter, Tornado
-from markup import escaped, number, table
+from markup import escaped, table
 from run_data import Table
 
 MICRO = 1e6
 MOST_TIPS = 5
 NOISE = "With {} samples a correlation below {:.1f} says nothing."
+
+
+def plain(value):
+    """Three digits, without an exponent for what is great."""
+    return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
 
 
 class Search:
@@ -26,7 +31,8 @@ class Search:
 
     def title(self, name):
         measure = self.measures[name]
-        return f"{measure['title']} [{measure['unit']}]" if measure["unit"] else measure["title"]
+        unit = measure["unit"].replace("um", "µm").replace("^2", "²")
+        return f"{measure['title']} [{unit}]" if unit else measure["title"]
 
     def factor(self, name):
         return self.measures[name]["factor"]
@@ -35,8 +41,8 @@ class Search:
         spread = entry["measures"].get(name)
         if spread is None:
             return "unknown"
-        f = self.factor(name)
-        return f"{spread['median'] * f:.4g} ({spread['low'] * f:.3g} to {spread['high'] * f:.3g})"
+        median, low, high = (plain(spread[key] * self.factor(name)) for key in ("median", "low", "high"))
+        return f"{median} ({low} to {high})"
 
     def range_of(self, entry, name):
         spread = entry["measures"].get(name)
@@ -50,6 +56,7 @@ def search_part(page, study):
         return
     search = Search(study)
     answer(page, search)
+    bath_warnings(page, search)
     beams(page, search)
     piercings(page, search)
     uncertainty(page, search)
@@ -86,6 +93,12 @@ def answer(page, search):
                       "varied, as it stands; it meets the same samples. Front 1 is the Pareto front of the medians. "
                       f"Limits: {escaped('; '.join(results['limits']) or 'none')}. Every ranked design is a study file, "
                       "candidates/RANK.toml.</p>")
+
+
+def bath_warnings(page, search):
+    for entry in [search.reference, *search.ranked[:1]]:
+        for text in entry["warnings"]:
+            page.parts.append(f'<p class="warning">The beam\'s bath ({escaped(entry["label"])}): {escaped(text)}.</p>')
 
 
 def beams(page, search):
@@ -200,9 +213,9 @@ def known(page, search):
                      f"{escaped(order)}; and the motion of the tip itself at the microscope for the first of the ranking, "
                      "which holds the beam, the drive and the liquid against nature at once.")
     page.parts.append("<ul>" + "".join(f"<li>{item}</li>" for item in items) + "</ul>")
-    limits = [f"{number(value)}" for value in [len(search.results["candidates"])]]
-    page.parts.append(f"<p>{limits[0]} candidates were chosen by their beams' {escaped(', '.join(search.results['tip_objectives']))};"
-                      " what none of them tries, this search does not know.</p>")
+    titles = " and ".join(search.measures[name]["title"] for name in search.results["tip_objectives"])
+    page.parts.append(f"<p>{len(search.results['candidates'])} candidates were chosen by the {escaped(titles)} of their beams; "
+                      "what none of them tries, this search does not know.</p>")
     reference = search.study.directory / "reference.toml"
     if reference.is_file():
         page.heading("Reference study")

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace zona::studies::search {
@@ -65,8 +66,13 @@ std::vector<std::string> measure_names(Measure::Of of) {
   return names;
 }
 
+std::string shown_number(const Measure& measure, double value) {
+  const double shown = value * measure.shown_factor;
+  return std::abs(shown) < 1000 ? fmt::format("{:.3g}", shown) : fmt::format("{:.0f}", shown);
+}
+
 std::string shown(const Measure& measure, double value) {
-  const std::string number = fmt::format("{:.4g}", value * measure.shown_factor);
+  const std::string number = shown_number(measure, value);
   return measure.shown_unit.empty() ? number : number + " " + measure.shown_unit;
 }
 

@@ -29,7 +29,10 @@ const Measure& find_measure(const std::string& name);
 std::vector<std::string> measure_names(Measure::Of of);
 std::vector<std::string> measure_names();
 
-/// "2065 um^2", "3.6".
+/// The number in the unit that people read, to three digits and never with an exponent above one:
+/// "2065", "3.64".
+std::string shown_number(const Measure& measure, double value);
+/// The same with its unit: "2065 um^2".
 std::string shown(const Measure& measure, double value);
 
 }  // namespace zona::studies::search

@@ -16,6 +16,7 @@ struct Candidate {
   bool is_free;        ///< of the fluids to be avoided
   std::string folder;  ///< of its piercing with the base's inputs
   Values nominal;      ///< with the base's inputs; without oocyte's measures where it failed
+  std::vector<std::string> warnings{};  ///< where the bath's load is taken too far
   std::vector<Values> samples{};  ///< with each sample of the uncertain inputs; empty: no finalist
 
   bool is_finalist() const { return !samples.empty(); }

@@ -59,11 +59,15 @@ TEST_CASE("a pipette that cannot be is refused with the value, the limit and the
   refuse([](Pipette& p) { p.damping_beta = -1; }, "damping_beta is -1", "at least 0");
 }
 
-TEST_CASE("fluids are those of Table 5.7") {
+TEST_CASE("fluids are those of Table 5.7, and others by increasing density") {
   CHECK(named_fluid("none").density == 0);
   CHECK(named_fluid("water").density == 1000);
   CHECK(named_fluid("fluorinert").density == 1780);
   CHECK(named_fluid("mercury").density == 13600);
+  for (std::size_t i = 1; i < named_fluids().size(); ++i) {
+    CHECK(named_fluids()[i - 1].density <= named_fluids()[i].density);
+    CHECK_FALSE(named_fluids()[i].source.empty());
+  }
   CHECK_THROWS_WITH(named_fluid("mercry"), Contains("'mercry'") && Contains("mercury"));
 }
 

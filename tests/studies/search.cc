@@ -253,9 +253,9 @@ TEST_CASE("a verdict counts samples") {
     return Values{
         {"failed_area", area}, {"hole_over_pipette", hole}, {"residual_motion", residual}};
   };
-  Candidate reference{"reference", {}, false, "", {}, {}};
+  Candidate reference{"reference", {}, false, "", {}};
   reference.samples = {sample(10, 2, 1), sample(20, 2, 1), sample(30, 2, 1)};
-  Candidate good{"good", {}, true, "", {}, {}};
+  Candidate good{"good", {}, true, "", {}};
   good.samples = {sample(5, 1, 2), sample(6, 1.5, 2), sample(7, 2, 2)};
   Candidate weak = good;  // does not always pierce
   weak.samples[0]["hole_over_pipette"] = 0.9;
