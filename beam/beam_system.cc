@@ -107,9 +107,7 @@ Immersion immersion_of(const Pipette& pipette, const Section& section, const Bea
   return immersion;
 }
 
-BeamSystem system_of(const Pipette& pipette, Supports supports, double observed_at) {
-  const Section section = section_of(pipette);
-  const BeamLayout layout{pipette.elements, supports, observed_at};
+BeamSystem system_of(const Pipette& pipette, const Section& section, const BeamLayout& layout) {
   BeamSystem system = assemble(section, layout);
   system.damping_alpha = pipette.damping_alpha;
   system.damping_beta = pipette.damping_beta;
@@ -151,11 +149,27 @@ Distributed distribute(const std::vector<QuadraturePoint>& points, int size,
 }
 
 BeamSystem cantilever(const Pipette& pipette) {
-  return system_of(pipette, Supports::clamped_free, pipette.length);
+  return system_of(pipette, section_of(pipette),
+                   {pipette.elements, Supports::clamped_free, pipette.length});
+}
+
+BeamSystem axial_rod(const Pipette& pipette) {
+  check(pipette);
+  Pipette rod = pipette;
+  rod.fill_density *= pipette.axial_fill_share;
+  for (FillColumn& column : rod.columns) column.density *= pipette.axial_fill_share;
+  rod.bath = {};
+  Section section = section_of(rod);
+  section.axial_rigidity = [rod](double x) {
+    return rod.youngs_modulus * glass_area(diameters_at(rod, x));
+  };
+  return system_of(rod, section,
+                   {rod.elements, Supports::clamped_free, rod.length, Deformation::stretching});
 }
 
 BeamSystem simply_supported(const Pipette& pipette) {
-  return system_of(pipette, Supports::pinned_pinned, pipette.length / 2);
+  return system_of(pipette, section_of(pipette),
+                   {pipette.elements, Supports::pinned_pinned, pipette.length / 2});
 }
 
 }  // namespace zona::beam

@@ -17,6 +17,12 @@ enum class Supports {
   pinned_pinned,  ///< deflection g at x = 0 and 0 at x = length, no moments (Figure 5.25)
 };
 
+/// What the elements do.
+enum class Deformation {
+  bending,     ///< deflection across the axis: Hermite cubics, C1
+  stretching,  ///< displacement along the axis: cubic Lagrange elements on Gauss-Lobatto nodes, C0
+};
+
 /// A point of the elements' quadrature: where, how much it counts, and what the shape functions are
 /// there.
 struct QuadraturePoint {
@@ -64,6 +70,9 @@ struct Immersion {
 /// deflection [m] and rotation [rad] at the vertices from x = 0 to x = length, without the
 /// essential ones. This damping acts on the relative motion; the liquid of `immersion` acts on the
 /// absolute one, v.
+///
+/// A rod that vibrates along itself (`axial_rod`) has the same equations, with axial displacements
+/// as degrees of freedom, three per element, and r = 1.
 struct BeamSystem {
   SymmetricBand mass;            ///< consistent M: [kg], [kg m], [kg m^2]
   SymmetricBand stiffness;       ///< K: [N/m], [N], [N m]
@@ -86,12 +95,14 @@ struct BeamLayout {
   int elements = 20;                           ///< of equal length, but for breaks of the section
   Supports supports = Supports::clamped_free;  ///< how the beam is held
   double observed_at = 0;                      ///< x of the point whose motion is recorded [m]
+  Deformation deformation = Deformation::bending;  ///< stretching wants Supports::clamped_free
 };
 
-/// Hermite cubic Euler-Bernoulli elements (5.57), evenly long between the section's breaks; EI and
-/// rho_bar at five Gauss points per element, exact for linearly tapering diameters. Throws
-/// std::invalid_argument for a section without positive length, rigidity and mass, no elements or
-/// an observed point outside the beam.
+/// Hermite cubic Euler-Bernoulli elements (5.57), or cubic elements of a rod, rho_bar u_tt = (EA
+/// u_x)_x, evenly long between the section's breaks; rigidity and rho_bar at five Gauss points per
+/// element, exact for linearly tapering diameters. Throws std::invalid_argument for a section
+/// without positive length, rigidity and mass, no elements, an observed point outside the beam or a
+/// pinned rod.
 BeamSystem assemble(const Section& section, const BeamLayout& layout);
 
 /// The points at which `assemble` evaluates the section, from x = 0 on. Throws as it does.
@@ -103,6 +114,13 @@ Distributed distribute(const std::vector<QuadraturePoint>& points, int size,
 
 /// The pipette clamped at its shank, observed at its tip.
 BeamSystem cantilever(const Pipette& pipette);
+
+/// The pipette as an elastic rod along its axis, rho_bar u_tt = (EA u_x)_x, held by its moving
+/// support and free at its tip, which is observed; rho_bar is that of the glass and of
+/// `axial_fill_share` of the fluid. Neglected are the friction of the bath along the wall, the
+/// pressure on the tip's face and on the walls of a taper, and radial inertia (docs/theory/beam.md
+/// says how much they do).
+BeamSystem axial_rod(const Pipette& pipette);
 
 /// The pipette's section simply supported at both ends and observed at the centre (Figure 5.25).
 BeamSystem simply_supported(const Pipette& pipette);

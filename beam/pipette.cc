@@ -81,6 +81,11 @@ void check(const Pipette& pipette) {
   require_positive("youngs_modulus", pipette.youngs_modulus, "Pa");
   require_positive("density", pipette.density, "kg/m^3");
   require_not_negative("fill_density", pipette.fill_density, "kg/m^3");
+  require(
+      pipette.axial_fill_share >= 0 && pipette.axial_fill_share <= 1,
+      fmt::format("pipette: axial_fill_share is {}, but it must lie between 0, no fluid follows "
+                  "the wall, and 1, all of it",
+                  pipette.axial_fill_share));
   require_not_negative("damping_alpha", pipette.damping_alpha, "1/s");
   require_not_negative("damping_beta", pipette.damping_beta, "s");
   require_not_negative("loss_factor", pipette.loss_factor, "");
@@ -113,6 +118,10 @@ Diameters diameters_at(const Pipette& pipette, double x) {
   const double share = (from_tip - before.from_tip) / (next->from_tip - before.from_tip);
   return {from_tip, before.outer + share * (next->outer - before.outer),
           before.inner + share * (next->inner - before.inner)};
+}
+
+double glass_area(const Diameters& diameters) {
+  return kPi / 4 * (square(diameters.outer) - square(diameters.inner));
 }
 
 double second_moment_of_area(const Diameters& diameters) {

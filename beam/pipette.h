@@ -48,9 +48,12 @@ struct Pipette {
   double youngs_modulus = 63.44e9;  ///< of the glass [Pa]
   double density = 2300;            ///< of the glass [kg/m^3]
   double fill_density = 0;          ///< of the fluid in the bore [kg/m^3]
-  int elements = 20;                ///< Hermite cubic elements
-  double damping_alpha = 0;         ///< mass-proportional Rayleigh damping [1/s]
-  double damping_beta = 0;          ///< stiffness-proportional Rayleigh damping [s]
+  /// Share of the fluid's mass that follows the wall when the pipette moves along itself, in [0,
+  /// 1]: 1 where the viscous layer fills the bore, 0 where the fluid stays behind.
+  double axial_fill_share = 1;
+  int elements = 20;         ///< cubic elements
+  double damping_alpha = 0;  ///< mass-proportional Rayleigh damping [1/s]
+  double damping_beta = 0;   ///< stiffness-proportional Rayleigh damping [s]
 
   /// Loss factor tan(delta) of the glass, the same at all frequencies; youngs_modulus is then the
   /// storage modulus at loss_frequency [Hz]. Modal superposition takes half of it as the damping
@@ -73,6 +76,9 @@ void check(const Pipette& pipette);
 
 /// Diameters at the distance x [m] from the support.
 Diameters diameters_at(const Pipette& pipette, double x);
+
+/// Area of the glass ring, pi (D^2 - d^2) / 4 [m^2].
+double glass_area(const Diameters& diameters);
 
 /// Second moment of area of the glass ring, pi (D^4 - d^4) / 64 [m^4].
 double second_moment_of_area(const Diameters& diameters);

@@ -14,6 +14,7 @@ struct Section {
   /// Where something jumps or kinks [m], in any order: elements end there. Those outside the beam
   /// or nearer than 1e-6 lengths to its ends or to another are left out.
   std::vector<double> breaks{};
+  std::function<double(double)> axial_rigidity{};  ///< EA(x) [N]; needed by Deformation::stretching
 };
 
 /// Beam with the same cross-section everywhere: what the analytic solutions of 5.5 need.

@@ -175,6 +175,16 @@ SupportMotion pulse_train(const SupportMotion& pulse, int count, double period) 
   return train;
 }
 
+SupportMotion scaled(const SupportMotion& motion, double factor) {
+  require(std::isfinite(factor),
+          fmt::format("support motion: the factor {} is not finite; give a number", factor));
+  SupportMotion result = motion;
+  if (auto* pieces = std::get_if<SampledMotion>(&result))
+    for (double& displacement : pieces->displacement) displacement *= factor;
+  if (auto* sine = std::get_if<SineMotion>(&result)) sine->amplitude *= factor;
+  return result;
+}
+
 void check(const SupportMotion& motion) {
   std::visit([](const auto& m) { check_one(m); }, motion);
 }

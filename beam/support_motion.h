@@ -20,7 +20,8 @@ struct SineMotion {
   double angular_frequency = 0;  ///< [rad/s]
 };
 
-/// Lateral displacement of the support of a beam, which is at rest at zero before t = 0.
+/// Displacement of the support of a beam, across it or along it, which is at rest at zero before t
+/// = 0.
 using SupportMotion = std::variant<SampledMotion, SineMotion>;
 
 /// An instant at which the support's velocity jumps, i.e. its acceleration is an impulse.
@@ -45,6 +46,9 @@ SupportMotion half_sine_pulse(double peak, double duration);
 /// std::invalid_argument for a sine, a count below 1, a motion that does not end where it began, or
 /// one that lasts longer than the period.
 SupportMotion pulse_train(const SupportMotion& pulse, int count, double period);
+
+/// The motion with its displacements times a finite factor.
+SupportMotion scaled(const SupportMotion& motion, double factor);
 
 /// Throws std::invalid_argument, naming the sample, unless the samples are finite, as many as their
 /// times, at strictly increasing times >= 0, and begin at 0 displacement; or the sine is finite.

@@ -5,9 +5,9 @@
 
 namespace zona::beam {
 
-/// Lateral motion of the pipette's tip and of its support, sampled at strictly increasing times.
-/// All vectors have the same length; displacements are absolute (fixed frame), so the deflection
-/// relative to the moving support is `displacement - support`.
+/// Motion of the pipette's tip and of its support, across the pipette or along it, sampled at
+/// strictly increasing times. All vectors have the same length; displacements are absolute (fixed
+/// frame), so the deflection relative to the moving support is `displacement - support`.
 struct TipHistory {
   std::vector<double> time;          ///< [s]
   std::vector<double> displacement;  ///< absolute tip displacement [m]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -17,17 +18,16 @@ namespace zona::coupling {
 
 namespace {
 
-using Samples = std::vector<double>;
-
 /// Relative to the window's length: what sums of time steps may be off by.
 constexpr double rounding = 1e-9;
 
-Sample interpolate(const Samples& time, const Samples& value, const Samples& slope, double at) {
+Sample interpolate(const beam::TipHistory& tip, double at) {
+  const std::vector<double>& time = tip.time;
   const auto after = std::upper_bound(time.begin() + 1, time.end() - 1, at);
   const auto right = static_cast<std::size_t>(after - time.begin());
   const std::size_t left = right - 1;
-  return hermite_cubic({time[left], value[left], slope[left]},
-                       {time[right], value[right], slope[right]}, at);
+  return hermite_cubic({time[left], tip.displacement[left], tip.velocity[left]},
+                       {time[right], tip.displacement[right], tip.velocity[right]}, at);
 }
 
 /// The history with velocities, and nothing else that may be missing.
@@ -75,23 +75,35 @@ double onset_of_motion(const beam::TipHistory& history, double fraction) {
   double after = tip.time[crossed];
   for (double middle = (before + after) / 2; before < middle && middle < after;
        middle = (before + after) / 2) {
-    const double there = interpolate(tip.time, tip.displacement, tip.velocity, middle).value;
+    const double there = interpolate(tip, middle).value;
     (departure(there) < fraction * largest ? before : after) = middle;
   }
   return after;
 }
 
-TipMotion::TipMotion(beam::TipHistory history, const TipMotionOptions& options)
-    : scale_(options.scale), ramp_(options.ramp), axis_(unit_axis(options.axis)) {
+TipMotion::TipMotion(const beam::TipHistory& history, const TipMotionOptions& options)
+    : TipMotion(std::vector<DirectedHistory>{{history, options.axis}}, options) {}
+
+TipMotion::TipMotion(const beam::TipHistory& history, const TipMotionOptions& options,
+                     const DirectedHistory& second)
+    : TipMotion(std::vector<DirectedHistory>{{history, options.axis}, second}, options) {}
+
+TipMotion::TipMotion(std::vector<DirectedHistory> histories, const TipMotionOptions& options)
+    : scale_(options.scale), ramp_(options.ramp) {
   check_options(options);
-  history = prepared(std::move(history));
-  start_ = options.start ? *options.start : onset_of_motion(history, options.start_fraction);
-  length_ = options.length ? *options.length : history.time.back() - start_;
-  check_window(start_, length_, history.time.front(), history.time.back());
-  time_ = std::move(history.time);
-  displacement_ = std::move(history.displacement);
-  velocity_ = std::move(history.velocity);
-  offset_ = interpolate(time_, displacement_, velocity_, start_).value;
+  for (DirectedHistory& directed : histories)
+    parts_.push_back({prepared(std::move(directed.history)), unit_axis(directed.axis), 0});
+  start_ = options.start ? *options.start : std::numeric_limits<double>::infinity();
+  double first = parts_.front().history.time.front(), last = parts_.front().history.time.back();
+  for (const Part& part : parts_) {
+    if (!options.start)
+      start_ = std::min(start_, onset_of_motion(part.history, options.start_fraction));
+    first = std::max(first, part.history.time.front());
+    last = std::min(last, part.history.time.back());
+  }
+  length_ = options.length ? *options.length : last - start_;
+  check_window(start_, length_, first, last);
+  for (Part& part : parts_) part.offset = interpolate(part.history, start_).value;
 }
 
 mpm::RigidState TipMotion::operator()(double time) const {
@@ -101,16 +113,31 @@ mpm::RigidState TipMotion::operator()(double time) const {
                     "history); lengthen the window or end the run earlier",
                     time, length_, start_, start_ + length_));
   const double inside = std::clamp(time, 0.0, length_);
-  const double at = std::min(start_ + inside, time_.back());
-  const Sample tip = interpolate(time_, displacement_, velocity_, at);
-  const double moved = scale_ * (tip.value - offset_);
   const Ramp ramp = smooth_ramp(inside, ramp_);
-  return {ramp.value * moved * axis_,
-          (ramp.slope * moved + ramp.value * scale_ * tip.slope) * axis_};
+  const auto state_of = [&](const Part& part) -> mpm::RigidState {
+    const double at = std::min(start_ + inside, part.history.time.back());
+    const Sample tip = interpolate(part.history, at);
+    const double moved = scale_ * (tip.value - part.offset);
+    return {ramp.value * moved * part.axis,
+            (ramp.slope * moved + ramp.value * scale_ * tip.slope) * part.axis};
+  };
+  mpm::RigidState state = state_of(parts_.front());
+  for (std::size_t i = 1; i < parts_.size(); ++i) {
+    const mpm::RigidState other = state_of(parts_[i]);
+    state.displacement += other.displacement;
+    state.velocity += other.velocity;
+  }
+  return state;
 }
 
 double TipMotion::initial_speed() const {
-  return scale_ * interpolate(time_, displacement_, velocity_, start_).slope;
+  const auto speed = [this](const Part& part) {
+    return scale_ * interpolate(part.history, start_).slope;
+  };
+  if (parts_.size() == 1) return speed(parts_.front());
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  for (const Part& part : parts_) velocity += speed(part) * part.axis;
+  return velocity.norm();
 }
 
 }  // namespace zona::coupling

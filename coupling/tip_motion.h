@@ -23,7 +23,15 @@ struct TipMotionOptions {
   double ramp = 0;                                  ///< duration of the smooth start [s]
 };
 
-/// The motion of the MPM pipette that a tip history prescribes.
+/// The history of a tip's displacement in a direction.
+struct DirectedHistory {
+  beam::TipHistory history;                         ///< of the displacement along `axis`
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< of any length but zero
+};
+
+/// The motion of the MPM pipette that a tip history prescribes, or two of them with an axis each:
+/// the motion is then their sum, over one window, which begins when the first of them begins to
+/// move unless its start is given.
 ///
 /// Between the samples the displacement is the cubic that has the sampled displacements and
 /// velocities at both ends (Hermite): once continuously differentiable, its error of fourth order
@@ -41,7 +49,10 @@ class TipMotion {
  public:
   /// Throws `TraceError` if the history is inconsistent, `std::invalid_argument` if an option is
   /// out of range, `std::out_of_range` if the window is not within the history.
-  TipMotion(beam::TipHistory history, const TipMotionOptions& options);
+  TipMotion(const beam::TipHistory& history, const TipMotionOptions& options);
+  /// With a second history beside that along `options.axis`.
+  TipMotion(const beam::TipHistory& history, const TipMotionOptions& options,
+            const DirectedHistory& second);
 
   /// State at `time` [s] after the window's start. Throws `std::out_of_range`, never extrapolates,
   /// outside the window (by more than a rounding error of 1e-9 of its length).
@@ -49,20 +60,26 @@ class TipMotion {
 
   double start() const { return start_; }    ///< of the window, in the history's time [s]
   double length() const { return length_; }  ///< of the window [s]
-  const Eigen::Vector3d& axis() const { return axis_; }  ///< of length one
-  /// Speed along the axis at the window's start before any ramp [m/s].
+  /// Of the first history, of length one.
+  const Eigen::Vector3d& axis() const { return parts_.front().axis; }
+  /// Speed along the axis at the window's start before any ramp [m/s]; of two histories the
+  /// magnitude of the velocity.
   double initial_speed() const;
 
  private:
-  std::vector<double> time_;
-  std::vector<double> displacement_;
-  std::vector<double> velocity_;
+  struct Part {
+    beam::TipHistory history;
+    Eigen::Vector3d axis;
+    double offset;  ///< interpolated displacement at the window's start [m]
+  };
+
+  TipMotion(std::vector<DirectedHistory> histories, const TipMotionOptions& options);
+
+  std::vector<Part> parts_;  ///< one per history
   double start_;
   double length_;
-  double offset_;  ///< interpolated displacement at the window's start [m]
   double scale_;
   double ramp_;
-  Eigen::Vector3d axis_;
 };
 
 /// The first instant [s] at which the interpolated displacement of a history has departed from its

@@ -87,6 +87,7 @@ beam::Pipette pipette_from(const Configuration& study, const std::string& sectio
   pipette.youngs_modulus = study.quantity(section + ".youngs_modulus");
   pipette.density = study.quantity("pipette.density");
   pipette.elements = static_cast<int>(study.integer(section + ".elements"));
+  pipette.axial_fill_share = study.number(section + ".axial_fill_share");
   pipette.damping_alpha = study.quantity(section + ".rayleigh_alpha");
   pipette.damping_beta = study.quantity(section + ".rayleigh_beta");
   pipette.loss_factor = study.number(section + ".loss_factor");
@@ -182,6 +183,13 @@ beam::SupportMotion support_motion(const Configuration& study, double duration) 
   return blaming(study, "pulse.repetition_rate", [&] {
     return beam::pulse_train(pulse, count, 1 / study.quantity("pulse.repetition_rate"));
   });
+}
+
+PulseDirection pulse_direction(const Configuration& study) {
+  const double angle = study.quantity("pulse.angle");
+  constexpr double rounding = 1e-12;  // of a right angle in radians
+  if (std::abs(std::cos(angle)) < rounding) return {1, 0};
+  return {std::sin(angle), std::cos(angle)};
 }
 
 beam::Sampling sampling_from(const Configuration& study, const std::string& section) {

@@ -14,7 +14,8 @@ Schema make_comparison_schema() {
   declare_fill_place(schema);
   schema.section("motion", "How the tip of the injection pipette moves: always as its beam.");
   schema.choice("motion.kind", {"beam"}).doc("The tip of the beam in [beam].");
-  schema.choice("motion.axis", {"lateral"}).doc("A beam moves its tip across itself.");
+  schema.choice("motion.axis", {"lateral"})
+      .doc("Has no effect: a beam takes its direction from pulse.angle.");
   schema.number("motion.scale", 1)
       .in("[-1e6, 1e6]")
       .doc("Factor on the displacement of the beam's tip.");

@@ -87,16 +87,66 @@ PiercingSetup piercing_setup(const Configuration& study, double fluid_density) {
   return setup;
 }
 
-/// Along the pipette into the egg, or across it.
+const Vector3d kLateral(0, 1, 0);
+const Vector3d kAxial(-1, 0, 0);  ///< along the pipette into the egg
+
 Vector3d motion_axis(const Configuration& study) {
-  return study.choice("motion.axis") == "axial" ? Vector3d(-1, 0, 0) : Vector3d(0, 1, 0);
+  return study.choice("motion.axis") == "axial" ? kAxial : kLateral;
+}
+
+coupling::TipMotionOptions tip_motion_options(const Configuration& study, const Vector3d& axis) {
+  coupling::TipMotionOptions options;
+  if (!study.is_auto("motion.window_start")) options.start = study.quantity("motion.window_start");
+  options.start_fraction = study.number("motion.auto_fraction");
+  options.length = simulation_end(study);
+  options.scale = study.number("motion.scale");
+  options.axis = axis;
+  options.ramp = study.quantity("motion.ramp");
+  return options;
+}
+
+/// A window that does not fit is blamed on the key that sets it.
+const char* window_key(const Configuration& study) {
+  return study.is_auto("motion.window_start") ? "motion.window_length" : "motion.window_start";
+}
+
+bool is_beam_driven(const Configuration& study) {
+  return study.choice("motion.kind") == "beam";
+}
+
+coupling::TipMotion motion_of(const Configuration& study, const PiercingCase& c) {
+  if (!c.axial_tip_history) {
+    const bool is_axial = is_beam_driven(study) && pulse_direction(study).across == 0;
+    return {*c.tip_history, tip_motion_options(study, is_axial ? kAxial : motion_axis(study))};
+  }
+  return {*c.tip_history, tip_motion_options(study, kLateral), {*c.axial_tip_history, kAxial}};
 }
 
 /// The motion of the tip in the window of its history.
 void drive_by_history(const Configuration& study, PiercingCase& c) {
-  const coupling::TipMotion motion = tip_motion(study, *c.tip_history);
+  const auto motion = blaming(study, window_key(study), [&] { return motion_of(study, c); });
   c.window_start = motion.start();
   c.setup.pipette.motion = motion;
+}
+
+/// The tip of a system, the beam or the rod, after a part of [pulse].
+beam::TipHistory history_of(const Configuration& study, const beam::Pipette& pipette,
+                            const beam::BeamSystem& system, double part) {
+  beam::SupportMotion pulse = support_motion(study, study.quantity("pulse.duration"));
+  if (part != 1) pulse = beam::scaled(pulse, part);
+  return beam::integrate(system, pulse, sampling_from(study, "beam"),
+                         integrator_from(study, "beam", pipette));
+}
+
+/// The pipette's tip across and along it, after the parts of [pulse] in those directions.
+TipHistories beam_tip_histories(const Configuration& study, double fluid_density) {
+  const beam::Pipette pipette = pipette_from(study, "beam", fluid_density);
+  const PulseDirection part = pulse_direction(study);
+  TipHistories tip;
+  if (part.across != 0)
+    tip.lateral = history_of(study, pipette, beam::cantilever(pipette), part.across);
+  if (part.along != 0) tip.axial = history_of(study, pipette, beam::axial_rod(pipette), part.along);
+  return tip;
 }
 
 /// libhdf5 crashes on some damaged files: only what passes a rehearsal is read here.
@@ -124,8 +174,14 @@ void set_motion(const Configuration& study, PiercingCase& c) {
         coupling::TrianglePulse{motion_amplitude(study), study.quantity("motion.duration"), axis,
                                 study.quantity("motion.ramp")});
   } else if (kind == "beam") {
-    c.tip_history = beam_tip_history(study, c.fluid_density);
-    c.bath_warnings = bath_warnings(study, "beam", *c.tip_history);
+    TipHistories tip = beam_tip_histories(study, c.fluid_density);
+    if (tip.lateral) {
+      c.bath_warnings = bath_warnings(study, "beam", *tip.lateral);
+      c.tip_history = std::move(tip.lateral);
+      c.axial_tip_history = std::move(tip.axial);
+    } else {
+      c.tip_history = std::move(tip.axial);
+    }
     c.support_peak =
         beam::peak_displacement(support_motion(study, study.quantity("pulse.duration")));
     drive_by_history(study, c);
@@ -139,23 +195,16 @@ void set_motion(const Configuration& study, PiercingCase& c) {
 }  // namespace
 
 coupling::TipMotion tip_motion(const Configuration& study, const beam::TipHistory& history) {
-  coupling::TipMotionOptions options;
-  if (!study.is_auto("motion.window_start")) options.start = study.quantity("motion.window_start");
-  options.start_fraction = study.number("motion.auto_fraction");
-  options.length = simulation_end(study);
-  options.scale = study.number("motion.scale");
-  options.axis = motion_axis(study);
-  options.ramp = study.quantity("motion.ramp");
-  const char* key =
-      study.is_auto("motion.window_start") ? "motion.window_length" : "motion.window_start";
-  return blaming(study, key, [&] { return coupling::TipMotion(history, options); });
+  if (is_beam_driven(study) && pulse_direction(study).along != 0)
+    throw InputError({study.problem(
+        "pulse.angle", "one history of a tip has one direction; here it needs \"90 deg\"")});
+  const auto options = tip_motion_options(study, motion_axis(study));
+  return blaming(study, window_key(study), [&] { return coupling::TipMotion(history, options); });
 }
 
 beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density) {
   const beam::Pipette pipette = pipette_from(study, "beam", fluid_density);
-  const beam::SupportMotion pulse = support_motion(study, study.quantity("pulse.duration"));
-  return beam::integrate(beam::cantilever(pipette), pulse, sampling_from(study, "beam"),
-                         integrator_from(study, "beam", pipette));
+  return history_of(study, pipette, beam::cantilever(pipette), 1);
 }
 
 PiercingCase make_piercing_case(const Configuration& study, const std::string& fluid,

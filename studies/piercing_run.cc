@@ -204,6 +204,10 @@ nlohmann::json PiercingRun::results() const {
     for (double u : case_.tip_history->displacement) amplitude = std::max(amplitude, std::abs(u));
     r["tip_amplitude"] = amplitude;
     r["window_start"] = case_.window_start;
+    if (case_.axial_tip_history) {
+      const std::vector<double>& axial = case_.axial_tip_history->displacement;
+      r["axial_tip_amplitude"] = std::abs(axial[beam::index_of_peak(axial)]);
+    }
     if (!case_.bath_warnings.empty()) r["warnings"] = case_.bath_warnings;
     r["initial_speed"] = case_.setup.pipette.motion(0).velocity.norm();
   }
@@ -236,12 +240,12 @@ nlohmann::json PiercingRun::results() const {
   return r;
 }
 
-/// tip.csv; what is resumed must have the one that it had.
-void write_tip_history(const PiercingCase& piercing, const PiercingWork& work) {
-  if (!piercing.tip_history) return;
-  const std::string file = (work.directory / "tip.csv").string();
+/// What is resumed must have the history that it had.
+void write_tip_history(const beam::TipHistory& history, const char* name,
+                       const PiercingWork& work) {
+  const std::string file = (work.directory / name).string();
   const std::string old = work.checkpoints.resume ? content(file) : "";
-  coupling::write_tip_trace_csv(*piercing.tip_history, file);
+  coupling::write_tip_trace_csv(history, file);
   if (old.empty() || old == content(file)) return;
   mpm::replace_file(file, old);
   throw mpm::CheckpointError("the tip now moves in another way than when the run was started (" +
@@ -251,7 +255,9 @@ void write_tip_history(const PiercingCase& piercing, const PiercingWork& work) {
 }  // namespace
 
 void run_piercing(const PiercingCase& piercing, const PiercingWork& work, nlohmann::json& results) {
-  write_tip_history(piercing, work);
+  if (piercing.tip_history) write_tip_history(*piercing.tip_history, "tip.csv", work);
+  if (piercing.axial_tip_history)
+    write_tip_history(*piercing.axial_tip_history, "tip_axial.csv", work);
   PiercingRun run(piercing, work);
   try {
     run.run(work.progress, work.part);

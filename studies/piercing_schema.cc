@@ -17,7 +17,9 @@ void declare_motion(Schema& schema) {
           "A sine (5.4, lateral), a triangular pulse (5.4, axial), the tip of the beam in [beam] "
           "after the pulse in [pulse], or a recorded history.");
   schema.choice("motion.axis", {"lateral", "axial"})
-      .doc("Across the pipette, or along it towards the oocyte.");
+      .doc(
+          "Across the pipette, or along it towards the oocyte. A beam takes its direction from "
+          "pulse.angle instead.");
   schema.quantity("motion.amplitude", "m", "auto")
       .in("[-1e-3, 1e-3]")
       .or_auto()
@@ -49,8 +51,8 @@ void check_trace(const Configuration& study, const Complain& complain) {
 void check_axis(const Configuration& study, const Complain& complain) {
   if (study.choice("motion.kind") != "beam" || study.choice("motion.axis") == "lateral") return;
   complain("motion.axis",
-           "a beam moves its tip across itself only; needs \"lateral\", or another "
-           "motion.kind");
+           "a beam's tip moves as its support does, whose direction is pulse.angle; leave "
+           "motion.axis out, and write pulse.angle = \"0 deg\" for a motion along the pipette");
 }
 
 void check_beam_steps(const Configuration& study, const Complain& complain) {

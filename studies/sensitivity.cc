@@ -43,6 +43,8 @@ Configuration scaled(const Configuration& study, const std::string& key, double 
 std::vector<Input> inputs_of(const Configuration& study, const VibrationCase& setup) {
   std::vector<Input> inputs;
   const auto add = [&](const std::string& key) {
+    // Only the motion along the pipette depends on these.
+    if (key == "pulse.angle" || key == "pipette.axial_fill_share") return;
     const Parameter& parameter = *study.schema().find(key);
     const bool is_number =
         parameter.kind == Parameter::Kind::quantity || parameter.kind == Parameter::Kind::number;

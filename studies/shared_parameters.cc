@@ -39,9 +39,18 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
   schema.integer(section + ".elements", elements)
       .in("[1, 1000]")
       .doc(
-          "Number of Hermite cubic beam elements. The source's twenty (5.5) overestimate the "
+          "Number of cubic elements of the beam, and of the rod along it. The source's twenty "
+          "(5.5) overestimate the "
           "amplitude "
           "of the mercury-filled tip after 60 us by a third; eighty are good to 1 % of the peak.");
+  schema.number(section + ".axial_fill_share", 1)
+      .in("[0, 1]")
+      .doc(
+          "Share of the fluid's mass that follows the wall when the pipette moves along itself: 1 "
+          "where the viscous layer fills the bore, the upper bound, 0 where the fluid stays "
+          "behind. "
+          "Counts where pulse.angle is not 90 deg, for dense fills: mercury at 1 raises the axial "
+          "amplitude after 60 us from 1.02 to 1.13 of the support's.");
   schema.quantity(section + ".rayleigh_alpha", "1/s", "0 1/s")
       .in("[0, 1e9]")
       .doc("Mass-proportional Rayleigh damping; the source has none.");
@@ -165,6 +174,13 @@ void declare_pulse_form(Schema& schema, const std::vector<std::string>& shapes) 
           "Peak displacement of the support. Not given in the source; 17.9 um moves the tip of "
           "the mercury-filled pipette by its 13.5 um (5.4) when the beam is resolved (80 "
           "elements). \"auto\" is voltage times gain.");
+  schema.quantity("pulse.angle", "rad", "90 deg")
+      .in("[0, 1.5708]")
+      .doc(
+          "Angle between the support's motion and the pipette's axis: 90 deg is across, as the "
+          "source has it, 0 deg along, towards the oocyte. Between them the tip moves as a beam "
+          "after the pulse times the sine and, along itself, as a rod after the pulse times the "
+          "cosine.");
   schema.quantity("pulse.voltage", "V", "10 V")
       .in("(0, 1000]")
       .doc("Setting of the controller; counts where peak = \"auto\".");

@@ -1,7 +1,23 @@
+#include "studies/beam_parameters.h"
 #include "studies/shared_parameters.h"
 #include "studies/study_kinds.h"
 
 namespace zona::studies {
+
+namespace {
+
+void check_direction(const Configuration& study, const Complain& complain) {
+  if (pulse_direction(study).along == 0) return;
+  if (study.choice("pipette.supports") == "pinned")
+    complain("pulse.angle",
+             "a simply supported beam is moved across itself; needs \"90 deg\", or "
+             "pipette.supports = \"clamped\"");
+  if (study.boolean("output.sensitivities"))
+    complain("output.sensitivities",
+             "are those of a motion across the pipette; needs pulse.angle = \"90 deg\"");
+}
+
+}  // namespace
 
 Schema make_vibration_schema() {
   Schema schema(
@@ -26,7 +42,7 @@ Schema make_vibration_schema() {
   declare_columns(schema);
   declare_bath(schema);
 
-  schema.section("pulse", "The lateral motion of the support.");
+  schema.section("pulse", "The motion of the support.");
   declare_pulse_form(schema, {"triangular", "trapezoid", "half_sine", "trace", "sine"});
   schema
       .quantities("pulse.durations", "s",
@@ -65,6 +81,7 @@ Schema make_vibration_schema() {
           "takes a pulse (no sine), bath.model \"none\", \"frequency\" or \"constant\", and no "
           "quadratic drag; set it to false, or change these");
   });
+  schema.check(check_direction);
   schema.check([](const Configuration& study, const Complain& complain) {
     check_bore("pipette", study, complain);
   });

@@ -35,6 +35,8 @@ struct FilledPipette {
   std::vector<double> damping_ratios;
   /// At beam::transform_points; empty but for the integrator "transform".
   std::vector<std::complex<double>> transfer{};
+  /// Only where the support moves along the pipette, too.
+  std::optional<beam::BeamSystem> rod{};
 };
 
 FilledPipette fill_pipette(const Configuration& study, double density) {
@@ -56,6 +58,7 @@ FilledPipette fill_pipette(const Configuration& study, double density) {
     filled.transfer = beam::TransferFunction(filled.system)
                           .at(beam::transform_points(sampling_from(study, "time")));
   }
+  if (pulse_direction(study).along != 0) filled.rod = beam::axial_rod(pipette);
   return filled;
 }
 
@@ -87,14 +90,22 @@ double residual_amplitude(const beam::TipHistory& history) {
   return greatest;
 }
 
+AxialResult axial_result(const beam::TipHistory& history, double support_peak) {
+  const std::size_t farthest = beam::index_of_peak(history.displacement);
+  return {beam::amplitude_ratio(history, support_peak), history.displacement[farthest],
+          history.time[farthest]};
+}
+
 VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pipette,
                              const beam::Sampling& sampling, const Configuration& study) {
   VibrationResult result;
   result.setup = setup;
   result.natural_frequencies = pipette.natural_frequencies;
   result.damping_ratios = pipette.damping_ratios;
-  const beam::SupportMotion motion = motion_of(setup, study);
-  const double peak = beam::peak_displacement(motion);
+  const beam::SupportMotion support = motion_of(setup, study);
+  const PulseDirection part = pulse_direction(study);
+  const beam::SupportMotion motion = part.along == 0 ? support : beam::scaled(support, part.across);
+  const double peak = beam::peak_displacement(support);
   result.history = pipette.transfer.empty()
                        ? integrate(pipette.system, motion, sampling, pipette.integrator)
                        : beam::history_by_transform(pipette.transfer, motion, sampling);
@@ -112,6 +123,10 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   result.ring_down = ring_down(history, end_of_pulse(motion));
   result.residual_amplitude = residual_amplitude(history);
   result.warnings = bath_warnings(study, "pipette", history);
+  if (pipette.rod)
+    result.axial = axial_result(
+        integrate(*pipette.rod, beam::scaled(support, part.along), sampling, pipette.integrator),
+        peak);
   if (study.boolean("output.sensitivities"))
     result.sensitivities = beam_sensitivities(study, setup);
   if (!study.boolean("output.history")) result.history = {};
@@ -139,6 +154,11 @@ nlohmann::json to_json(const VibrationResult& result) {
     const double peak = std::abs(result.peak_displacement);
     json["peak_displacement_range"] = {peak * (1 - result.gain_uncertainty),
                                        peak * (1 + result.gain_uncertainty)};
+  }
+  if (result.axial) {
+    json["axial_amplitude_ratio"] = result.axial->amplitude_ratio;
+    json["axial_peak_displacement"] = result.axial->peak_displacement;
+    json["axial_time_of_peak"] = result.axial->time_of_peak;
   }
   if (result.sensitivities) json["sensitivities"] = to_json(*result.sensitivities);
   return json;

@@ -41,7 +41,15 @@ struct SensitivityResult {
   std::vector<std::string> without;  ///< keys at a kink, where there is no derivative
 };
 
-/// What a case came to. Displacements and velocities are absolute (fixed frame).
+/// Motion of the tip along the pipette, absolute.
+struct AxialResult {
+  double amplitude_ratio = 0;    ///< greatest displacement over the support's peak
+  double peak_displacement = 0;  ///< of greatest magnitude, with its sign, towards the oocyte [m]
+  double time_of_peak = 0;       ///< [s]
+};
+
+/// What a case came to. Displacements and velocities are absolute (fixed frame), and across the
+/// pipette but for `axial`.
 struct VibrationResult {
   VibrationCase setup;
   /// The lowest, at most ten [Hz]; in a bath each with the added mass of its own frequency.
@@ -60,7 +68,9 @@ struct VibrationResult {
   double gain_uncertainty = 0;    ///< relative, of displacements and velocities; 0: none is known
   std::optional<SensitivityResult> sensitivities;  ///< where they are wanted
   std::vector<std::string> warnings;               ///< where the bath's linear load does not hold
-  beam::TipHistory history;                        ///< empty when it is not to be kept
+  /// Of the motion along the pipette, where the pulse is not at a right angle to it.
+  std::optional<AxialResult> axial;
+  beam::TipHistory history;  ///< empty when it is not to be kept
 };
 
 /// All fluids with all pulses, fluid by fluid, in the order of the study.

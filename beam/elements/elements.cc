@@ -22,11 +22,12 @@ constexpr int kElementDofs = QuadraturePoint::dofs;
 constexpr int kGaussPoints = 5;
 constexpr int kEssential = QuadraturePoint::held;
 
-/// Hermite shape functions and their derivatives with respect to x at one point of an element, in
-/// the order deflection and rotation at the left vertex, then at the right one.
+/// Shape functions and what strains the element, at one of its points: curvature of Hermite cubics,
+/// in the order deflection and rotation at the left vertex, then at the right one; slope of
+/// Lagrange cubics, node by node.
 struct ShapeValues {
   std::array<double, kElementDofs> value;
-  std::array<double, kElementDofs> curvature;
+  std::array<double, kElementDofs> strain;
 };
 
 ShapeValues hermite_shapes(double xi, double element_length) {
@@ -39,9 +40,27 @@ ShapeValues hermite_shapes(double xi, double element_length) {
     basis[order[i]].value(xi, 2, derivatives.data());
     const double scale = i % 2 == 1 ? element_length : 1;
     shapes.value[i] = scale * derivatives[0];
-    shapes.curvature[i] = scale * derivatives[2] / (element_length * element_length);
+    shapes.strain[i] = scale * derivatives[2] / (element_length * element_length);
   }
   return shapes;
+}
+
+ShapeValues lagrange_shapes(double xi, double element_length) {
+  static const auto basis = dealii::Polynomials::generate_complete_Lagrange_basis(
+      dealii::QGaussLobatto<1>(kElementDofs).get_points());
+  ShapeValues shapes{};
+  for (int i = 0; i < kElementDofs; ++i) {
+    std::array<double, 2> derivatives{};
+    basis[i].value(xi, 1, derivatives.data());
+    shapes.value[i] = derivatives[0];
+    shapes.strain[i] = derivatives[1] / element_length;
+  }
+  return shapes;
+}
+
+ShapeValues shapes_at(Deformation deformation, double xi, double element_length) {
+  return deformation == Deformation::bending ? hermite_shapes(xi, element_length)
+                                             : lagrange_shapes(xi, element_length);
 }
 
 struct ElementMatrices {
@@ -49,35 +68,47 @@ struct ElementMatrices {
   FullMatrix<double> stiffness{kElementDofs, kElementDofs};
 };
 
-ElementMatrices element_matrices(const Section& section, double left, double element_length) {
+ElementMatrices element_matrices(const Section& section, Deformation deformation, double left,
+                                 double element_length) {
+  const bool bends = deformation == Deformation::bending;
   const dealii::QGauss<1> quadrature(kGaussPoints);
   ElementMatrices element;
   for (unsigned int point = 0; point < quadrature.size(); ++point) {
     const double xi = quadrature.point(point)[0];
     const double x = left + xi * element_length;
     const double weight = quadrature.weight(point) * element_length;
-    const double rigidity = section.flexural_rigidity(x);
+    const double rigidity = bends ? section.flexural_rigidity(x) : section.axial_rigidity(x);
     const double mass = section.mass_per_length(x);
     require(is_positive(rigidity) && is_positive(mass),
-            fmt::format("beam: at x = {} m the flexural rigidity is {} N m^2 and the mass {} kg/m, "
-                        "but both must be greater than 0; mend the section there",
-                        x, rigidity, mass));
-    const ShapeValues shapes = hermite_shapes(xi, element_length);
+            fmt::format("beam: at x = {} m the {} and the mass {} kg/m, but both must be greater "
+                        "than 0; mend the section there",
+                        x,
+                        bends ? fmt::format("flexural rigidity is {} N m^2", rigidity)
+                              : fmt::format("axial rigidity is {} N", rigidity),
+                        mass));
+    const ShapeValues shapes = shapes_at(deformation, xi, element_length);
     for (int i = 0; i < kElementDofs; ++i)
       for (int j = 0; j < kElementDofs; ++j) {
         element.mass(i, j) += weight * mass * shapes.value[i] * shapes.value[j];
-        element.stiffness(i, j) += weight * rigidity * shapes.curvature[i] * shapes.curvature[j];
+        element.stiffness(i, j) += weight * rigidity * shapes.strain[i] * shapes.strain[j];
       }
   }
   return element;
 }
 
-/// Number of every degree of freedom (deflection, rotation per vertex) among those that are free.
+/// How many degrees of freedom an element adds to those of its left vertex.
+int stride(Deformation deformation) {
+  return deformation == Deformation::bending ? 2 : kElementDofs - 1;
+}
+
+/// Number of every degree of freedom (deflection, rotation per vertex; axial displacement per node)
+/// among those that are free.
 std::vector<int> number_free_dofs(const BeamLayout& layout, unsigned int elements) {
-  const int dofs = 2 * (static_cast<int>(elements) + 1);
+  const bool bends = layout.deformation == Deformation::bending;
+  const int dofs = stride(layout.deformation) * static_cast<int>(elements) + (bends ? 2 : 1);
   std::vector<bool> essential(dofs, false);
   essential[0] = true;
-  essential[layout.supports == Supports::clamped_free ? 1 : dofs - 2] = true;
+  if (bends) essential[layout.supports == Supports::clamped_free ? 1 : dofs - 2] = true;
   std::vector<int> number(dofs, kEssential);
   int next = 0;
   for (int dof = 0; dof < dofs; ++dof)
@@ -101,6 +132,10 @@ void check_layout(const Section& section, const BeamLayout& layout) {
   require(layout.elements >= fewest,
           fmt::format("beam: {} elements, but at least {} are needed; use 20 or more",
                       layout.elements, fewest));
+  require(layout.deformation == Deformation::bending || layout.supports == Supports::clamped_free,
+          "beam: a rod is held at one end and free at the other; take Supports::clamped_free");
+  require(layout.deformation == Deformation::bending || section.axial_rigidity,
+          "beam: the section of a rod has no axial rigidity; give Section::axial_rigidity");
   require(layout.observed_at >= 0 && layout.observed_at <= section.length,
           fmt::format("beam: the observed point x = {} m lies outside the beam, 0 to {} m",
                       layout.observed_at, section.length));
@@ -151,7 +186,8 @@ void make_mesh(const Section& section, const BeamLayout& layout, dealii::Triangu
 
 BeamSystem empty_system(const Section& section, const BeamLayout& layout,
                         const std::vector<int>& number) {
-  const int size = static_cast<int>(number.size()) - 2;
+  const bool bends = layout.deformation == Deformation::bending;
+  const int size = *std::max_element(number.begin(), number.end()) + 1;
   BeamSystem system;
   system.mass = SymmetricBand(size);
   system.stiffness = SymmetricBand(size);
@@ -160,17 +196,19 @@ BeamSystem empty_system(const Section& section, const BeamLayout& layout,
   system.support_share = rigid_deflection(layout.supports, layout.observed_at, section.length);
   system.element_length = section.length / layout.elements;
   for (std::size_t dof = 0; dof < number.size(); ++dof)
-    if (number[dof] != kEssential) system.rotation.push_back(dof % 2 == 1);
+    if (number[dof] != kEssential) system.rotation.push_back(bends && dof % 2 == 1);
   return system;
 }
 
 void add_element(const Section& section, const BeamLayout& layout, const Element& element,
                  BeamSystem& system) {
-  const ElementMatrices matrices = element_matrices(section, element.left, element.length());
+  const ElementMatrices matrices =
+      element_matrices(section, layout.deformation, element.left, element.length());
   const double slope = rigid_slope(layout.supports, section.length);
-  const std::array<double, kElementDofs> rigid = {
+  std::array<double, kElementDofs> rigid = {
       rigid_deflection(layout.supports, element.left, section.length), slope,
       rigid_deflection(layout.supports, element.right, section.length), slope};
+  if (layout.deformation == Deformation::stretching) rigid.fill(1);
   for (int i = 0; i < kElementDofs; ++i) {
     const int row = element.dof[i];
     if (row == kEssential) continue;
@@ -184,23 +222,23 @@ void add_element(const Section& section, const BeamLayout& layout, const Element
   }
 }
 
-void observe(const Element& element, double x, BeamSystem& system) {
-  const double xi = (x - element.left) / element.length();
-  const ShapeValues shapes = hermite_shapes(xi, element.length());
+void observe(const Element& element, const BeamLayout& layout, BeamSystem& system) {
+  const double xi = (layout.observed_at - element.left) / element.length();
+  const ShapeValues shapes = shapes_at(layout.deformation, xi, element.length());
   for (int i = 0; i < kElementDofs; ++i)
     if (element.dof[i] != kEssential) system.observation(element.dof[i]) = shapes.value[i];
 }
 
 /// The elements from x = 0 to the tip.
-std::vector<Element> make_elements(const dealii::Triangulation<1>& mesh,
+std::vector<Element> make_elements(const dealii::Triangulation<1>& mesh, Deformation deformation,
                                    const std::vector<int>& number) {
   std::vector<Element> elements;
-  for (const auto& cell : mesh.active_cell_iterators())
-    elements.push_back(
-        {cell->vertex(0)[0],
-         cell->vertex(1)[0],
-         {number[2 * cell->vertex_index(0)], number[2 * cell->vertex_index(0) + 1],
-          number[2 * cell->vertex_index(1)], number[2 * cell->vertex_index(1) + 1]}});
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    Element element{cell->vertex(0)[0], cell->vertex(1)[0], {}};
+    for (int i = 0; i < kElementDofs; ++i)
+      element.dof[i] = number[stride(deformation) * cell->vertex_index(0) + i];
+    elements.push_back(element);
+  }
   return elements;
 }
 
@@ -210,12 +248,12 @@ BeamSystem assemble_with_deal_ii(const Section& section, const BeamLayout& layou
   make_mesh(section, layout, mesh);
   const std::vector<int> number = number_free_dofs(layout, mesh.n_active_cells());
   BeamSystem system = empty_system(section, layout, number);
-  const std::vector<Element> elements = make_elements(mesh, number);
+  const std::vector<Element> elements = make_elements(mesh, layout.deformation, number);
   for (const Element& element : elements) {
     add_element(section, layout, element, system);
     const bool is_last = &element == &elements.back();
     if (layout.observed_at >= element.left && (layout.observed_at < element.right || is_last))
-      observe(element, layout.observed_at, system);
+      observe(element, layout, system);
   }
   return system;
 }
@@ -227,12 +265,12 @@ std::vector<QuadraturePoint> points_of_deal_ii(const Section& section, const Bea
   const dealii::QGauss<1> quadrature(kGaussPoints);
   const std::vector<int> number = number_free_dofs(layout, mesh.n_active_cells());
   std::vector<QuadraturePoint> points;
-  for (const Element& element : make_elements(mesh, number))
+  for (const Element& element : make_elements(mesh, layout.deformation, number))
     for (unsigned int q = 0; q < quadrature.size(); ++q) {
       const double xi = quadrature.point(q)[0];
       const double x = element.left + xi * element.length();
       points.push_back({x, quadrature.weight(q) * element.length(), element.dof,
-                        hermite_shapes(xi, element.length()).value,
+                        shapes_at(layout.deformation, xi, element.length()).value,
                         rigid_deflection(layout.supports, x, section.length)});
     }
   return points;

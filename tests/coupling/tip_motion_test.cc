@@ -173,6 +173,38 @@ TEST_CASE("the automatic window starts when the tip has moved by the fraction", 
                     Contains("never moves"));
 }
 
+TEST_CASE("two histories move the pipette together, from when the first moves on", "[motion]") {
+  const auto late = [](double t) { return t < 2 ? 0 : (t - 2) * (t - 2); };
+  const auto early = [](double t) { return t < 1.5 ? 0 : 3 * (t - 1.5) * (t - 1.5); };
+  const TipHistory slow = sampled(late, nullptr, 400), fast = sampled(early, nullptr, 400);
+  TipMotionOptions options;
+  options.axis = {0, 2, 0};
+  options.scale = 0.5;
+  options.ramp = 0.2;
+  const TipMotion both(slow, options, {fast, {-1, 0, 0}});
+  CHECK(both.start() == onset_of_motion(fast, options.start_fraction));
+  CHECK(both.start() < onset_of_motion(slow, options.start_fraction));
+  CHECK(both.axis() == Eigen::Vector3d(0, 1, 0));
+  CHECK(both.length() == Approx(3 - both.start()));
+  // The sum of the two motions alone, over the same window.
+  options.start = both.start();
+  const TipMotion across(slow, options);
+  options.axis = {-1, 0, 0};
+  const TipMotion along(fast, options);
+  for (const double time : {0., 0.1, 0.5, 1.3}) {
+    const auto state = both(time), first = across(time), second = along(time);
+    CHECK(state.displacement == first.displacement + second.displacement);
+    CHECK(state.velocity == first.velocity + second.velocity);
+  }
+  CHECK(both.initial_speed() == Approx(along.initial_speed()));
+  CHECK(derivative_error(both, 0.3, 1.2, 1e-3) < 1e-2);
+  TipHistory shorter = fast;
+  for (auto* values : {&shorter.time, &shorter.displacement}) values->resize(200);
+  options.length = 1.4;
+  CHECK_THROWS_WITH(TipMotion(slow, options, {shorter, {-1, 0, 0}}), Contains("spans only"));
+  CHECK_THROWS_WITH(TipMotion(slow, options, {fast, {0, 0, 0}}), Contains("no direction"));
+}
+
 TEST_CASE("windows and options out of range are refused", "[motion]") {
   const TipHistory history = sampled(wave, wave_slope, 20);
   const auto refused = [&](auto change, const char* message) {

@@ -114,7 +114,11 @@ TEST_CASE("cross-checks state their numbers") {
   CHECK_THAT(piercing("motion.trace = \"no.csv\""),
              Contains("s.toml:2: motion.trace: there is no file"));
   CHECK_THAT(piercing("motion.kind = \"beam\"\nmotion.axis = \"axial\""),
-             Contains("across itself"));
+             Contains("s.toml:3: motion.axis: a beam's tip moves as its support does") &&
+                 Contains("pulse.angle = \"0 deg\""));
+  CHECK_THAT(piercing("pulse.angle = \"91 deg\""), Contains("s.toml:2: pulse.angle"));
+  CHECK_THAT(piercing("pulse.angle = \"1 um\""), Contains("s.toml:2: pulse.angle"));
+  CHECK_THAT(piercing("beam.axial_fill_share = 1.1"), Contains("s.toml:2: beam.axial_fill_share"));
   CHECK_THAT(piercing("time.step = \"1 ms\""), Contains("do not fit a simulation of 100 us"));
   CHECK_THAT(piercing("motion.ramp = \"1 ms\""), Contains("longer than the simulation"));
 }

@@ -40,6 +40,13 @@ TEST_CASE("summary.json of every kind of study follows its published schema") {
   SECTION("vibration") {
     check_summary(studies + "vibration.toml --set output.history=false", 0, "complete");
   }
+  SECTION("vibration and piercing after an oblique pulse") {
+    const std::string oblique = " --set 'pulse.angle=\"45 deg\"'";
+    check_summary(studies + "vibration.toml" + oblique, 0, "complete");
+    check_summary(
+        studies + "piercing_beam_quick.toml" + small_egg + oblique + " --set 'time.end=\"1 us\"'",
+        0, "complete");
+  }
   SECTION("piercing, with a probe") {
     const ScratchDirectory scratch;
     const auto file =
