@@ -88,6 +88,13 @@ void NewmarkStepper::advance_memories(double support_velocity, const Eigen::Vect
       kept_ * support_memory_ + from_old_ * support_velocity + from_new_ * support_velocity_.now();
 }
 
+void NewmarkStepper::include_drag(const Eigen::VectorXd& velocity) {
+  drag_.linearise(velocity, support_velocity_.now());
+  SymmetricBand with_drag = operator_;
+  with_drag.accumulate(step_ / 2, drag_.matrix());
+  operator_factor_.factorise(with_drag);
+}
+
 void NewmarkStepper::step_to(double time) {
   const double h = step_;
   displacement_ += h * velocity_ + h * h / 4 * acceleration_;
@@ -95,23 +102,22 @@ void NewmarkStepper::step_to(double time) {
   const double support_before = support_velocity_.now();
   support_velocity_.advance(time);
   if (beam_.memories() > 0) advance_memories(support_before, predicted_);
-  if (drag_.acts()) {
-    remembered_ = velocity_ + h * acceleration_;
-    drag_.linearise(remembered_, support_velocity_.now());
-    SymmetricBand with_drag = operator_;
-    with_drag.accumulate(h / 2, drag_.matrix());
-    operator_factor_.factorise(with_drag);
+  // The drag is linear in the velocity where its speed |v| is taken from a guess. That at the
+  // step's beginning is corrected once; extrapolating instead would keep modes alive that a step
+  // cannot resolve.
+  const int passes = drag_.acts() ? 2 : 1;
+  for (int pass = 0; pass < passes; ++pass) {
+    if (drag_.acts()) include_drag(velocity_);
+    compute_force(time, displacement_, predicted_, acceleration_);
+    if (drag_.acts()) {
+      product_.setZero();
+      drag_.add_force(predicted_, support_velocity_.now(), product_);
+      acceleration_ -= product_;
+    }
+    operator_factor_.solve_in_place(acceleration_);
+    velocity_ = predicted_ + h / 2 * acceleration_;
   }
-  velocity_ = predicted_;
-  compute_force(time, displacement_, velocity_, acceleration_);
-  if (drag_.acts()) {
-    product_.setZero();
-    drag_.add_force(velocity_, support_velocity_.now(), product_);
-    acceleration_ -= product_;
-  }
-  operator_factor_.solve_in_place(acceleration_);
   displacement_ += h * h / 4 * acceleration_;
-  velocity_ += h / 2 * acceleration_;
   for (int j = 0; j < beam_.memories(); ++j) memory_.col(j) += h / 2 * from_new_(j) * acceleration_;
 }
 

@@ -41,6 +41,8 @@ class NewmarkStepper {
  private:
   void factorise(double step);
   void step_to(double time);
+  /// Adds the quadratic drag, its speed taken from a velocity, to the operator.
+  void include_drag(const Eigen::VectorXd& velocity);
   /// -m g'' - C v - K q - memories [N], [N m], without the quadratic drag.
   void compute_force(double time, const Eigen::VectorXd& displacement,
                      const Eigen::VectorXd& velocity, Eigen::VectorXd& force);

@@ -370,6 +370,30 @@ TEST_CASE("a quadratic drag takes energy out in proportion to the amplitude") {
         Approx(strong).epsilon(5e-3));
 }
 
+TEST_CASE(
+    "drawn through a liquid at constant speed, a pipette bends as a cantilever under the drag") {
+  // q = (c + rho C_D a V) V per length on the immersed part, from x = a to the tip at x = L:
+  // q (3 L^4 - 4 a^3 L + a^4) / (24 E I), Roark's table for a cantilever under a partial load.
+  Pipette pipette = immersed("water", 0.6e-3, 20);
+  pipette.length = 1e-3;
+  pipette.bath.model = BathModel::constant;
+  pipette.bath.frequency = 3e3;
+  pipette.bath.drag_coefficient = 1.3;
+  const double speed = 0.5, radius = 0.5 * pipette.outer_diameter;
+  const Liquid& liquid = pipette.bath.liquid;
+  const double linear = viscous_load(liquid, radius, {0, 2 * M_PI * pipette.bath.frequency}).real();
+  const double load = (linear + liquid.density * 1.3 * radius * speed) * speed;
+  const double length = pipette.length, from = length - pipette.bath.immersed_length;
+  const double bent =
+      load * (3 * std::pow(length, 4) - 4 * std::pow(from, 3) * length + std::pow(from, 4)) /
+      (24 * pipette.youngs_modulus * second_moment_of_area(pipette));
+  const double end = 1e-3;  // the lowest mode dies out within a tenth of it
+  const SampledMotion drawn{{0, end}, {0, speed * end}};
+  const TipHistory tip = integrate(cantilever(pipette), drawn, {end, 0.5e-6}, Newmark{16});
+  const std::size_t late = tip.time.size() - 10;
+  CHECK(tip.support[late] - tip.displacement[late] == Approx(bent).epsilon(2e-5));
+}
+
 TEST_CASE("what a bath cannot have is refused") {
   Pipette pipette = immersed("water", 1e-3, 10);
   const auto pulse = triangular_pulse(1, 60e-6);

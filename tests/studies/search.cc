@@ -217,7 +217,7 @@ values = ["mercury"]
   nlohmann::json results;
   Session session{directory, progress, results, 2};
   const TipStage stage = explore(plan, session);
-  CHECK(stage.designs.size() > 100);
+  CHECK(stage.designs.size() > 60);
   const Design* best = &stage.designs.front();
   for (const Design& design : stage.designs)
     if (design.tip.at("mismatch") < best->tip.at("mismatch")) best = &design;
