@@ -28,7 +28,8 @@ LINK = re.compile(r"(?<=\]\()([^)#\s]+)(?=[)#])")
 FENCE = re.compile(r"(^ *```.*?^ *```)", re.MULTILINE | re.DOTALL)
 LANGUAGES = {".h": "cpp", ".cc": "cpp", ".py": "python", ".toml": "toml", ".csv": "text", ".yml": "yaml",
              ".json": "json"}
-COPIED = {".md", ".png", ".svg", ".css", ".js"}
+COPIED = {".md", ".png", ".svg", ".css", ".js", ".html"}
+THEME = pathlib.Path("docs/site/theme")  # not pages of the site
 NEEDED = [pathlib.Path("/usr/bin/mkdocs"), pathlib.Path("/usr/share/mkdocs/themes/material"),
           pathlib.Path("/usr/lib/python3/dist-packages/pymdownx"), KATEX]
 TOOL_MISSING = 77
@@ -98,7 +99,7 @@ def copy_pages(pages):
             if f" {path}\n" not in navigation:
                 raise BuildError(f"{path} has no place in the navigation of docs/site/mkdocs.yml")
             copy_page(path, pages)
-        elif path.parts[0] == "docs" and path.suffix in COPIED:
+        elif path.parts[0] == "docs" and path.suffix in COPIED and THEME not in path.parents:
             (pages / path.parent).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / path, pages / path)
 

@@ -10,7 +10,7 @@ from run_data import Table
 
 MICRO = 1e6
 MOST_TIPS = 5
-NOISE = "With {} samples a correlation below {:.1f} says nothing."
+NOISE = "With {} samples a correlation below {:.1f} may be chance; the charts below compute each input's effect by itself."
 
 
 def plain(value):
@@ -78,13 +78,13 @@ def answer(page, search):
                           f"{search.measures[first]['title']} than the reference in {share} of the samples, in the ranges "
                           "tried.</p>")
     keys = list(search.ranked[0]["settings"]) if search.ranked else []
-    header = (["rank", "design", *keys, "limits kept"] + [search.title(name) for name in search.objectives]
+    header = (["rank", "design", "limits kept"] + [search.title(name) for name in search.objectives]
               + [f"less {search.measures[first]['title']}", "front"])
     rows = []
     for entry in [search.reference, *search.ranked]:
         better = entry["measures"].get(first, {}).get("better")
         rows.append([str(entry.get("rank", "")) + (" *" if entry["is_answer"] else ""), entry["label"],
-                     *[entry["settings"].get(key, "") for key in keys], f"{100 * entry['keeps_limits']:.0f} %",
+                     f"{100 * entry['keeps_limits']:.0f} %",
                      *[search.cell(entry, name) for name in search.objectives],
                      "" if better is None or "rank" not in entry else f"{100 * better:.0f} %",
                      entry["level"] + 1 if "rank" in entry else ""])
@@ -93,6 +93,9 @@ def answer(page, search):
                       "varied, as it stands; it meets the same samples. Front 1 is the Pareto front of the medians. "
                       f"Limits: {escaped('; '.join(results['limits']) or 'none')}. Every ranked design is a study file, "
                       "candidates/RANK.toml.</p>")
+    page.parts.append(table(["rank", "design", *keys],
+                            [[entry["rank"], entry["label"], *[entry["settings"][key] for key in keys]]
+                             for entry in search.ranked]))
 
 
 def bath_warnings(page, search):
@@ -162,7 +165,7 @@ def uncertainty(page, search):
     page.parts.append(table(header, rows))
     count = len(inputs[0]["samples"])
     page.parts.append("<p>Spearman's correlation over the samples, mean over the designs. "
-                      + NOISE.format(count, 1 / max(count - 1, 1) ** 0.5) + "</p>")
+                      + NOISE.format(count, min(1, 2 / max(count - 1, 1) ** 0.5)) + "</p>")
     page.charts(tornadoes(search, inputs))
 
 
@@ -192,6 +195,15 @@ def range_text(entry):
     return f"{low:g} to {high:g} {entry['unit']}".strip()
 
 
+def weight(search, entry):
+    """How much an input moves the first objective over its range: of the reference, if that was computed."""
+    first = search.objectives[0]
+    ends = [end["values"].get(first) for end in entry["ends"] if end["subject"] == "reference"]
+    if len(ends) == 2 and None not in ends:
+        return abs(ends[1] - ends[0])
+    return abs(entry["correlations"][first])
+
+
 def known(page, search):
     """What stands on computation, what on assumption, what to measure."""
     first, inputs = search.objectives[0], search.results["uncertain"]
@@ -207,8 +219,8 @@ def known(page, search):
     items.append("<b>Not known</b>: no threshold of strain, pressure or shear at which an oocyte lyses is published, so "
                  "nothing here is a rate of survival. Less of every measure is taken to be gentler.")
     if inputs:
-        by_weight = sorted(inputs, key=lambda entry: -abs(entry["correlations"][first]))
-        order = ", then ".join(f"{entry['key']} ({entry['correlations'][first]:+.2f})" for entry in by_weight)
+        by_weight = sorted(inputs, key=lambda entry: -weight(search, entry))
+        order = ", then ".join(entry["key"] for entry in by_weight)
         items.append(f"<b>To be measured next</b>: what moves the {search.measures[first]['title']} most over its range, "
                      f"{escaped(order)}; and the motion of the tip itself at the microscope for the first of the ranking, "
                      "which holds the beam, the drive and the liquid against nature at once.")

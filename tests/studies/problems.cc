@@ -127,7 +127,7 @@ TEST_CASE("the study kind must be known") {
   CHECK_THAT(problems_of(""), Contains("s.toml: study: the kind of the study is missing"));
   CHECK_THAT(problems_of("study = \"pierce\""),
              Contains("s.toml:1: study: \"pierce\" is not a study "
-                      "kind; needs one of vibration, piercing, comparison, "
+                      "kind; needs one of vibration, piercing, comparison, search, "
                       "scene or material_point; did you mean \"piercing\"?"));
   CHECK_THAT(problems_of("study = 3"), Contains("3 is not a study kind"));
 }
