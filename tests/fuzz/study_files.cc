@@ -14,10 +14,11 @@ using namespace zona::studies;
 namespace {
 
 const std::vector<const Schema*>& schemas() {
-  static const std::array<Schema, 5> all = {make_vibration_schema(), make_piercing_schema(),
-                                            make_comparison_schema(), make_scene_schema(),
-                                            make_material_point_schema()};
-  static const std::vector<const Schema*> pointers{&all[0], &all[1], &all[2], &all[3], &all[4]};
+  static const std::array<Schema, 6> all = {make_vibration_schema(),  make_piercing_schema(),
+                                            make_comparison_schema(), make_search_schema(),
+                                            make_scene_schema(),      make_material_point_schema()};
+  static const std::vector<const Schema*> pointers{&all[0], &all[1], &all[2],
+                                                   &all[3], &all[4], &all[5]};
   return pointers;
 }
 
