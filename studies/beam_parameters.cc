@@ -185,13 +185,6 @@ beam::SupportMotion support_motion(const Configuration& study, double duration) 
   });
 }
 
-PulseDirection pulse_direction(const Configuration& study) {
-  const double angle = study.quantity("pulse.angle");
-  constexpr double rounding = 1e-12;  // of a right angle in radians
-  if (std::abs(std::cos(angle)) < rounding) return {1, 0};
-  return {std::sin(angle), std::cos(angle)};
-}
-
 beam::Sampling sampling_from(const Configuration& study, const std::string& section) {
   return {study.quantity(section + ".end"), study.quantity(section + ".step")};
 }

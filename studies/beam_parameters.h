@@ -35,14 +35,6 @@ std::vector<std::string> bath_warnings(const Configuration& study, const std::st
 /// InputError for a trace that cannot be read or a train that overlaps itself.
 beam::SupportMotion support_motion(const Configuration& study, double duration);
 
-/// Parts of the support's motion across the pipette and along it: sine and cosine of pulse.angle,
-/// 1 and 0, exactly, at a right angle.
-struct PulseDirection {
-  double across = 1;  ///< sine
-  double along = 0;   ///< cosine
-};
-PulseDirection pulse_direction(const Configuration& study);
-
 /// Motion of the tip across and along its pipette, from rest, where the support moves it; one or
 /// both.
 struct TipHistories {

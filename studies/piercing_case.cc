@@ -10,6 +10,7 @@
 #include "studies/piercing_values.h"
 #include "studies/profiles.h"
 #include "studies/rehearsal.h"
+#include "studies/shared_parameters.h"
 #include "studies/time_step.h"
 
 namespace zona::studies {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "beam/fluid.h"
 
@@ -306,6 +307,13 @@ void check_beam_details(const std::string& section, const std::string& time,
   if (has_drag && (integrator == "modal" || integrator == "transform"))
     complain("bath.drag_coefficient",
              "a quadratic drag is not linear; it needs the integrator \"newmark\" or \"arkode\"");
+}
+
+PulseDirection pulse_direction(const Configuration& study) {
+  const double angle = study.quantity("pulse.angle");
+  constexpr double rounding = 1e-12;  // of a right angle in radians
+  if (std::abs(std::cos(angle)) < rounding) return {1, 0};
+  return {std::sin(angle), std::cos(angle)};
 }
 
 void check_pulse(const Configuration& study, const Complain& complain) {

@@ -38,6 +38,14 @@ void check_bore(const std::string& section, const Configuration& study, const Co
 void check_beam_details(const std::string& section, const std::string& time,
                         const Configuration& study, const Complain& complain);
 
+/// Parts of the support's motion across the pipette and along it: sine and cosine of pulse.angle,
+/// 1 and 0, exactly, at a right angle.
+struct PulseDirection {
+  double across = 1;  ///< sine
+  double along = 0;   ///< cosine
+};
+PulseDirection pulse_direction(const Configuration& study);
+
 /// Complains about a pulse whose shape lacks something.
 void check_pulse(const Configuration& study, const Complain& complain);
 

@@ -1,4 +1,3 @@
-#include "studies/beam_parameters.h"
 #include "studies/shared_parameters.h"
 #include "studies/study_kinds.h"
 

@@ -20,6 +20,7 @@
 #include "studies/progress.h"
 #include "studies/run_directory.h"
 #include "studies/sensitivity.h"
+#include "studies/shared_parameters.h"
 
 namespace zona::studies {
 
