@@ -183,6 +183,11 @@ void set_motion(const Configuration& study, PiercingCase& c) {
     } else {
       c.tip_history = std::move(tip.axial);
     }
+    if (pulse_direction(study).along != 0 && c.fluid_density > 0 &&
+        study.number("beam.axial_fill_share") > 0)
+      c.bath_warnings.emplace_back(
+          "the fluid in the bore follows the wall along the pipette without lagging, so that the "
+          "tip rings along itself far too long after the pulse (beam.axial_fill_share)");
     c.support_peak =
         beam::peak_displacement(support_motion(study, study.quantity("pulse.duration")));
     drive_by_history(study, c);

@@ -24,7 +24,7 @@ struct PiercingCase {
   std::optional<beam::TipHistory> axial_tip_history{};
   double window_start = 0;
   double support_peak = 0;                   ///< of the pulse that drove the beam [m]
-  std::vector<std::string> bath_warnings{};  ///< where the beam's bath is taken too far
+  std::vector<std::string> bath_warnings{};  ///< where the beam's fluids are taken too far
 };
 
 /// The case that a piercing or comparison study describes for one fill. Integrates the beam or
