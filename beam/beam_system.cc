@@ -54,11 +54,13 @@ const Elements& elements() {
 }
 
 /// Chebyshev points between two radii, evenly in the angle of their logarithm; one for equal radii.
-std::vector<double> radius_nodes(double least, double greatest) {
+std::vector<double> radius_nodes(Flow flow, double least, double greatest) {
   const double span = std::log(greatest / least);
   if (span < 1e-12) return {least};
-  // Viscous loads are smooth in ln a: this many keep them to 1e-5.
-  const int count = 4 + static_cast<int>(std::ceil(2 * span));
+  // Viscous loads are smooth in ln a, less so in a bore, whose poles are near: this many keep them
+  // to 1e-5, in a bore to 1e-4.
+  const int per_span = flow == Flow::within ? 5 : 2;
+  const int count = 4 + static_cast<int>(std::ceil(per_span * span));
   std::vector<double> nodes;
   for (int k = 0; k < count; ++k)
     nodes.push_back(least * std::exp(span / 2 * (1 - std::cos(kPi * (k + 0.5) / count))));
@@ -73,38 +75,94 @@ double lagrange(const std::vector<double>& nodes, std::size_t k, double radius) 
   return value;
 }
 
-Immersion immersion_of(const Pipette& pipette, const Section& section, const BeamLayout& layout,
-                       int size) {
-  const Bath& bath = pipette.bath;
-  Immersion immersion;
-  if (bath.model == BathModel::none) return immersion;
-  std::vector<QuadraturePoint> points = quadrature_points(section, layout);
-  const double from = immersed_from(pipette);
-  points.erase(std::remove_if(points.begin(), points.end(),
-                              [&](const QuadraturePoint& point) { return point.x < from; }),
-               points.end());
-  if (points.empty()) return immersion;
-  const auto radius = [&](double x) { return diameters_at(pipette, x).outer / 2; };
+/// Adds the viscous loads of one liquid on points of the quadrature where it has this radius.
+void add_viscous_loads(const ViscousLoad& kind, const std::vector<QuadraturePoint>& points,
+                       const std::function<double(double)>& radius, int size,
+                       LiquidLoads& liquids) {
+  if (points.empty()) return;
   double least = radius(points.front().x), greatest = least;
   for (const QuadraturePoint& point : points) {
     least = std::min(least, radius(point.x));
     greatest = std::max(greatest, radius(point.x));
   }
-  immersion.model = bath.model;
-  immersion.liquid = bath.liquid;
-  immersion.angular_frequency = 2 * kPi * bath.frequency;
-  immersion.radius = radius_nodes(least, greatest);
-  for (std::size_t k = 0; k < immersion.radius.size(); ++k)
-    immersion.share.push_back(distribute(
-        points, size, [&](double x) { return lagrange(immersion.radius, k, radius(x)); }));
-  immersion.displaced = distribute(
-      points, size, [&](double x) { return bath.liquid.density * kPi * radius(x) * radius(x); });
-  if (bath.drag_coefficient > 0) {
-    immersion.drag = points;
-    for (QuadraturePoint& point : immersion.drag)
-      point.weight *= bath.liquid.density * bath.drag_coefficient * radius(point.x);
+  const std::vector<double> nodes = radius_nodes(kind.flow, least, greatest);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    ViscousLoad load = kind;
+    load.radius = nodes[k];
+    load.share = distribute(points, size, [&](double x) { return lagrange(nodes, k, radius(x)); });
+    liquids.viscous.push_back(std::move(load));
   }
-  return immersion;
+}
+
+template <class Condition>
+std::vector<QuadraturePoint> points_where(const std::vector<QuadraturePoint>& points,
+                                          const Condition& condition) {
+  std::vector<QuadraturePoint> chosen;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(chosen), condition);
+  return chosen;
+}
+
+double outer_radius(const Pipette& pipette, double x) {
+  return diameters_at(pipette, x).outer / 2;
+}
+
+/// The viscous loads of the bath; returns the points that are immersed.
+std::vector<QuadraturePoint> add_bath(const Pipette& pipette, Flow flow,
+                                      const std::vector<QuadraturePoint>& points, int size,
+                                      LiquidLoads& liquids) {
+  const Bath& bath = pipette.bath;
+  if (bath.model == BathModel::none) return {};
+  const double from = immersed_from(pipette);
+  std::vector<QuadraturePoint> immersed =
+      points_where(points, [&](const QuadraturePoint& point) { return point.x >= from; });
+  ViscousLoad kind{flow, bath.liquid, 0, bath.model, 2 * kPi * bath.frequency, {}};
+  add_viscous_loads(
+      kind, immersed, [&](double x) { return outer_radius(pipette, x); }, size, liquids);
+  return immersed;
+}
+
+/// What a bath does to a pipette that moves across itself.
+LiquidLoads liquids_across(const Pipette& pipette, const std::vector<QuadraturePoint>& points,
+                           int size) {
+  LiquidLoads liquids;
+  const std::vector<QuadraturePoint> immersed =
+      add_bath(pipette, Flow::across, points, size, liquids);
+  if (!liquids.act()) return liquids;
+  const Bath& bath = pipette.bath;
+  liquids.displaced = distribute(immersed, size, [&](double x) {
+    const double radius = outer_radius(pipette, x);
+    return bath.liquid.density * kPi * radius * radius;
+  });
+  if (bath.drag_coefficient > 0) {
+    liquids.drag = immersed;
+    for (QuadraturePoint& point : liquids.drag)
+      point.weight *= bath.liquid.density * bath.drag_coefficient * outer_radius(pipette, point.x);
+  }
+  return liquids;
+}
+
+/// What bath and fill do to a pipette that moves along itself.
+LiquidLoads liquids_along(const Pipette& pipette, const std::vector<QuadraturePoint>& points,
+                          int size) {
+  LiquidLoads liquids;
+  add_bath(pipette, Flow::along, points, size, liquids);
+  const auto bore = [&](double x) { return diameters_at(pipette, x).inner / 2; };
+  std::vector<QuadraturePoint> filled = points_where(points, [&](const QuadraturePoint& point) {
+    return bore(point.x) > 0 && fill_at(pipette, point.x).density > 0;
+  });
+  // Fluid by fluid.
+  while (!filled.empty()) {
+    const Liquid fluid = fill_at(pipette, filled.front().x);
+    const auto is_it = [&](const QuadraturePoint& point) {
+      const Liquid here = fill_at(pipette, point.x);
+      return here.density == fluid.density && here.viscosity == fluid.viscosity;
+    };
+    add_viscous_loads({Flow::within, fluid, 0, BathModel::frequency, 0, {}},
+                      points_where(filled, is_it), bore, size, liquids);
+    filled.erase(std::remove_if(filled.begin(), filled.end(), is_it), filled.end());
+  }
+  if (liquids.act()) liquids.displaced = {SymmetricBand(size), Eigen::VectorXd::Zero(size)};
+  return liquids;
 }
 
 BeamSystem system_of(const Pipette& pipette, const Section& section, const BeamLayout& layout) {
@@ -113,11 +171,20 @@ BeamSystem system_of(const Pipette& pipette, const Section& section, const BeamL
   system.damping_beta = pipette.damping_beta;
   system.loss_factor = pipette.loss_factor;
   system.loss_frequency = 2 * kPi * pipette.loss_frequency;
-  system.immersion = immersion_of(pipette, section, layout, system.size());
+  const std::vector<QuadraturePoint> points = quadrature_points(section, layout);
+  system.liquids = layout.deformation == Deformation::bending
+                       ? liquids_across(pipette, points, system.size())
+                       : liquids_along(pipette, points, system.size());
   return system;
 }
 
 }  // namespace
+
+bool LiquidLoads::has_bath(BathModel model) const {
+  return std::any_of(viscous.begin(), viscous.end(), [&](const ViscousLoad& load) {
+    return load.flow != Flow::within && load.model == model;
+  });
+}
 
 BeamSystem assemble(const Section& section, const BeamLayout& layout) {
   BeamSystem system;
@@ -154,17 +221,16 @@ BeamSystem cantilever(const Pipette& pipette) {
 }
 
 BeamSystem axial_rod(const Pipette& pipette) {
-  check(pipette);
-  Pipette rod = pipette;
-  rod.fill_density *= pipette.axial_fill_share;
-  for (FillColumn& column : rod.columns) column.density *= pipette.axial_fill_share;
-  rod.bath = {};
-  Section section = section_of(rod);
-  section.axial_rigidity = [rod](double x) {
-    return rod.youngs_modulus * glass_area(diameters_at(rod, x));
+  Section section = section_of(pipette);
+  section.mass_per_length = [pipette](double x) {
+    return pipette.density * glass_area(diameters_at(pipette, x));
   };
-  return system_of(rod, section,
-                   {rod.elements, Supports::clamped_free, rod.length, Deformation::stretching});
+  section.axial_rigidity = [pipette](double x) {
+    return pipette.youngs_modulus * glass_area(diameters_at(pipette, x));
+  };
+  return system_of(
+      pipette, section,
+      {pipette.elements, Supports::clamped_free, pipette.length, Deformation::stretching});
 }
 
 BeamSystem simply_supported(const Pipette& pipette) {

@@ -43,21 +43,28 @@ struct Distributed {
   Eigen::VectorXd support;  ///< int c N r dx
 };
 
-/// The liquid around a beam. What it does depends on frequency and radius; the radius enters
-/// through values at a few nodes a_k and the matrices of Lagrange's polynomials l_k(ln a(x)), one
-/// node for a cylinder. So a viscous load f(s, a) per length and velocity is sum_k f(s, a_k)
-/// share[k].
-struct Immersion {
-  BathModel model = BathModel::none;  ///< how it acts
-  Liquid liquid;                      ///< what it is
-  double angular_frequency = 0;       ///< of BathModel::constant [rad/s]
-  std::vector<double> radius;         ///< a_k [m]; empty: nothing is immersed
-  std::vector<Distributed> share;     ///< of l_k [m]
-  Distributed displaced;              ///< of the displaced liquid's mass, rho pi a^2 [kg]
+/// The `viscous_load` f(s, a) of a liquid, as far as it is that of one radius. Where the radius
+/// changes along the beam, f is interpolated between a few radii a_k, with Lagrange's polynomials
+/// l_k(ln a(x)): the load is sum_k f(s, a_k) share_k.
+struct ViscousLoad {
+  Flow flow = Flow::across;                ///< where the liquid is
+  Liquid liquid;                           ///< what it is
+  double radius = 0;                       ///< a_k [m]
+  BathModel model = BathModel::frequency;  ///< how it acts
+  double angular_frequency = 0;            ///< of BathModel::constant [rad/s]
+  Distributed share;                       ///< of l_k [m]
+};
+
+/// What the liquids around and in a beam do, beyond the mass that moves as the beam does.
+struct LiquidLoads {
+  std::vector<ViscousLoad> viscous;  ///< empty: there is no liquid
+  Distributed displaced;             ///< of the displaced liquid's mass, rho pi a^2 [kg]
   /// Where the quadratic drag acts; the weights are rho C_D a [kg]. Empty: there is none.
   std::vector<QuadraturePoint> drag;
 
-  bool acts() const { return !radius.empty(); }  ///< whether there is any liquid
+  bool act() const { return !viscous.empty(); }  ///< whether there is any
+  /// Whether a liquid around the beam acts after this model.
+  bool has_bath(BathModel model) const;
 };
 
 /// Semi-discrete equations of a beam on a moving support, in coordinates *relative* to the support:
@@ -68,8 +75,8 @@ struct Immersion {
 /// r(x) is the rigid motion that unit displacement of the support causes (1 clamped, 1 - x/l
 /// pinned), which strains nothing, so g itself loads nothing. The degrees of freedom q are
 /// deflection [m] and rotation [rad] at the vertices from x = 0 to x = length, without the
-/// essential ones. This damping acts on the relative motion; the liquid of `immersion` acts on the
-/// absolute one, v.
+/// essential ones. This damping acts on the relative motion; the liquids act on the absolute one,
+/// v.
 ///
 /// A rod that vibrates along itself (`axial_rod`) has the same equations, with axial displacements
 /// as degrees of freedom, three per element, and r = 1.
@@ -85,7 +92,7 @@ struct BeamSystem {
   Eigen::VectorXd observation;   ///< v* at the observed point is observation . q
   double support_share = 1;      ///< r at the observed point
   double element_length = 0;     ///< mean [m]
-  Immersion immersion{};         ///< the liquid around the beam, if any
+  LiquidLoads liquids{};         ///< around and in the beam, if any
 
   int size() const { return mass.size(); }  ///< number of degrees of freedom
 };
@@ -115,11 +122,11 @@ Distributed distribute(const std::vector<QuadraturePoint>& points, int size,
 /// The pipette clamped at its shank, observed at its tip.
 BeamSystem cantilever(const Pipette& pipette);
 
-/// The pipette as an elastic rod along its axis, rho_bar u_tt = (EA u_x)_x, held by its moving
-/// support and free at its tip, which is observed; rho_bar is that of the glass and of
-/// `axial_fill_share` of the fluid. Neglected are the friction of the bath along the wall, the
-/// pressure on the tip's face and on the walls of a taper, and radial inertia (docs/theory/beam.md
-/// says how much they do).
+/// The pipette as an elastic rod of glass along its axis, rho_bar u_tt = (EA u_x)_x, held by its
+/// moving support and free at its tip, which is observed. The fluid in the bore is dragged along by
+/// the wall's viscous layer (Flow::within), the bath rubs on the outside (Flow::along), without a
+/// quadratic drag. Neglected are pressure along the bore, on the tip's face and on the walls of a
+/// taper, and radial inertia (docs/theory/beam.md says how much they do).
 BeamSystem axial_rod(const Pipette& pipette);
 
 /// The pipette's section simply supported at both ends and observed at the centre (Figure 5.25).

@@ -19,7 +19,7 @@ Matrix dynamic_stiffness(const UniformPiece& piece, const Liquid& liquid, Comple
   Complex inertia = piece.mass_per_length * s * s;
   if (piece.radius > 0)
     inertia += liquid.density * kPi * piece.radius * piece.radius * s * s +
-               s * viscous_load(liquid, piece.radius, s);
+               s * viscous_load(Flow::across, liquid, piece.radius, s);
   Complex k = std::sqrt(std::sqrt(-inertia / piece.flexural_rigidity));
   if (k.real() < 0) k = -k;
   const Complex i(0, 1);
@@ -52,6 +52,26 @@ Complex exact_transfer(const std::vector<UniformPiece>& pieces, const Liquid& li
                                          .partialPivLu()
                                          .solve(-stiffness.block(2, 0, 2 * count, 1));
   return free_ends(2 * count - 2);
+}
+
+Complex exact_rod_transfer(const std::vector<UniformRodPiece>& pieces, const Liquid& liquid,
+                           Complex s) {
+  // u and EA u' from the tip, where they are 1 and 0, to the support.
+  Complex motion = 1, force = 0;
+  for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
+    Complex inertia = piece->mass_per_length * s * s;
+    if (piece->outer_radius > 0)
+      inertia += s * viscous_load(Flow::along, liquid, piece->outer_radius, s);
+    if (piece->fill.density > 0)
+      inertia += s * viscous_load(Flow::within, piece->fill, piece->inner_radius, s);
+    const Complex k = std::sqrt(inertia / piece->axial_rigidity);
+    const Complex cosine = std::cosh(k * piece->length), sine = std::sinh(k * piece->length);
+    const Complex stiffness = piece->axial_rigidity * k;
+    const Complex before = motion;
+    motion = cosine * before - sine / stiffness * force;
+    force = cosine * force - stiffness * sine * before;
+  }
+  return 1. / motion;
 }
 
 }  // namespace zona::beam

@@ -22,4 +22,19 @@ struct UniformPiece {
 std::complex<double> exact_transfer(const std::vector<UniformPiece>& pieces, const Liquid& liquid,
                                     std::complex<double> s);
 
+/// A piece of a filled tube that vibrates along itself.
+struct UniformRodPiece {
+  double length = 0;           ///< [m]
+  double axial_rigidity = 0;   ///< EA [N]
+  double mass_per_length = 0;  ///< of the glass [kg/m]
+  double outer_radius = 0;     ///< [m]; 0 outside any liquid
+  double inner_radius = 0;     ///< [m]
+  Liquid fill{0};              ///< of the bore; of density 0: nothing
+};
+
+/// The same of the tip's motion along the pipette, EA u'' = (m s^2 + s f(s)) u with the
+/// `viscous_load`s f of bath and fill.
+std::complex<double> exact_rod_transfer(const std::vector<UniformRodPiece>& pieces,
+                                        const Liquid& liquid, std::complex<double> s);
+
 }  // namespace zona::beam

@@ -6,11 +6,13 @@
 
 namespace zona::beam {
 
-/// What fills the bore of the pipette. The beam feels its density only.
+/// What fills the bore of the pipette. Across itself the beam feels its density only, along itself
+/// its viscosity, too.
 struct Fluid {
-  std::string name;    ///< what studies call it
-  double density = 0;  ///< [kg/m^3]
-  std::string source;  ///< where the density comes from
+  std::string name;      ///< what studies call it
+  double density = 0;    ///< [kg/m^3]
+  double viscosity = 0;  ///< [Pa s]
+  std::string source;    ///< where both come from
 };
 
 /// The fills of Table 5.7, the empty pipette and fluids that might take the place of mercury, in

@@ -57,7 +57,7 @@ struct Factors {
   Complexes mass;                ///< of the structure, Rayleigh damping with it
   Complexes support;             ///< of the structure's support mass
   Complexes displaced;           ///< of the displaced liquid
-  std::vector<Complexes> share;  ///< of the bath's nodes
+  std::vector<Complexes> share;  ///< of the viscous loads
 };
 
 inline void set(Complexes& lanes, int lane, Complex value) {
@@ -65,18 +65,19 @@ inline void set(Complexes& lanes, int lane, Complex value) {
   lanes.im[lane] = value.imag();
 }
 
-/// Force per length and velocity of the bath at a node, less that of displaced liquid.
-inline Complex bath_load(const Immersion& bath, std::size_t node, Complex s) {
-  if (bath.model == BathModel::frequency) return viscous_load(bath.liquid, bath.radius[node], s);
-  const double omega = bath.angular_frequency;
-  const Complex load = viscous_load(bath.liquid, bath.radius[node], {0, omega});
-  return load.real() + s * load.imag() / omega;
+/// Force per length and velocity of a viscous load.
+inline Complex load_at(const ViscousLoad& load, Complex s) {
+  if (load.model == BathModel::frequency)
+    return viscous_load(load.flow, load.liquid, load.radius, s);
+  const double omega = load.angular_frequency;
+  const Complex value = viscous_load(load.flow, load.liquid, load.radius, {0, omega});
+  return value.real() + s * value.imag() / omega;
 }
 
 inline Factors factors_at(const BeamSystem& system, const Complex* s) {
   Factors factors;
-  const Immersion& bath = system.immersion;
-  factors.share.resize(bath.radius.size());
+  const std::vector<ViscousLoad>& loads = system.liquids.viscous;
+  factors.share.resize(loads.size());
   for (int lane = 0; lane < kLanes; ++lane) {
     const Complex at = s[lane];
     const Complex modulus = system.loss_factor > 0
@@ -86,8 +87,8 @@ inline Factors factors_at(const BeamSystem& system, const Complex* s) {
     set(factors.mass, lane, at * (at + system.damping_alpha));
     set(factors.support, lane, at * at);
     set(factors.displaced, lane, at * at);
-    for (std::size_t k = 0; k < bath.radius.size(); ++k)
-      set(factors.share[k], lane, at * bath_load(bath, k, at));
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      set(factors.share[k], lane, at * load_at(loads[k], at));
   }
   return factors;
 }
@@ -154,26 +155,26 @@ inline void BandSolve::solve_again(std::vector<Complexes>& right_side) const {
 
 /// Entry (i, i - k) of the equations' matrix.
 inline Complexes matrix_entry(const BeamSystem& system, const Factors& factors, int i, int k) {
-  const Immersion& bath = system.immersion;
+  const LiquidLoads& liquids = system.liquids;
   Complexes entry{};
   add(entry, system.stiffness.diagonal(k)(i), factors.stiffness);
   add(entry, system.mass.diagonal(k)(i), factors.mass);
-  if (!bath.acts()) return entry;
-  add(entry, bath.displaced.matrix.diagonal(k)(i), factors.displaced);
-  for (std::size_t node = 0; node < bath.share.size(); ++node)
-    add(entry, bath.share[node].matrix.diagonal(k)(i), factors.share[node]);
+  if (!liquids.act()) return entry;
+  add(entry, liquids.displaced.matrix.diagonal(k)(i), factors.displaced);
+  for (std::size_t n = 0; n < liquids.viscous.size(); ++n)
+    add(entry, liquids.viscous[n].share.matrix.diagonal(k)(i), factors.share[n]);
   return entry;
 }
 
 /// Minus the right side's entry i: what unit motion of the support loads.
 inline Complexes support_entry(const BeamSystem& system, const Factors& factors, int i) {
-  const Immersion& bath = system.immersion;
+  const LiquidLoads& liquids = system.liquids;
   Complexes entry{};
   add(entry, system.support_mass(i), factors.support);
-  if (!bath.acts()) return entry;
-  add(entry, bath.displaced.support(i), factors.displaced);
-  for (std::size_t node = 0; node < bath.share.size(); ++node)
-    add(entry, bath.share[node].support(i), factors.share[node]);
+  if (!liquids.act()) return entry;
+  add(entry, liquids.displaced.support(i), factors.displaced);
+  for (std::size_t n = 0; n < liquids.viscous.size(); ++n)
+    add(entry, liquids.viscous[n].share.support(i), factors.share[n]);
   return entry;
 }
 

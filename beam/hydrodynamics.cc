@@ -29,19 +29,29 @@ Complex bessel_quotient(Complex z) {
 
 }  // namespace
 
-Complex viscous_ratio(Complex lambda) {
+Complex outer_ratio(Complex lambda) {
   return lambda * bessel_quotient(lambda);
 }
 
-Complex viscous_ratio_slope(Complex lambda) {
-  const Complex quotient = bessel_quotient(lambda);
-  return lambda * (quotient * quotient - 1.);
+Complex bore_ratio(Complex lambda) {
+  const double size = std::abs(lambda);
+  if (size > 60) {
+    const Complex y = 1. / lambda;
+    return lambda - 0.5 -
+           y * (1 / 8. + y * (1 / 8. + y * (25 / 128. + y * (13 / 32. + y * (1073 / 1024.)))));
+  }
+  // lambda^2/(2 + lambda^2/(4 + lambda^2/(6 + ...))), whose terms matter up to about |lambda|.
+  const Complex square = lambda * lambda;
+  const int terms = 20 + static_cast<int>(size);
+  Complex rest = 2. * terms;
+  for (int n = terms - 1; n >= 1; --n) rest = 2. * n + square / rest;
+  return square / rest;
 }
 
 Complex hydrodynamic_function(double reynolds_number) {
   // s = -i omega, so that lambda^2 = -i Re.
   const Complex lambda = std::sqrt(Complex(0, -reynolds_number));
-  return 1. + 4. * viscous_ratio(lambda) / (lambda * lambda);
+  return 1. + 4. * outer_ratio(lambda) / (lambda * lambda);
 }
 
 CylinderLoad cylinder_load(const Liquid& liquid, double radius, double angular_frequency) {
@@ -52,9 +62,10 @@ CylinderLoad cylinder_load(const Liquid& liquid, double radius, double angular_f
           liquid.density * area * angular_frequency * gamma.imag()};
 }
 
-Complex viscous_load(const Liquid& liquid, double radius, Complex s) {
-  return 4 * kPi * liquid.viscosity *
-         viscous_ratio(radius * std::sqrt(s * liquid.density / liquid.viscosity));
+Complex viscous_load(Flow flow, const Liquid& liquid, double radius, Complex s) {
+  const Complex lambda = radius * std::sqrt(s * liquid.density / liquid.viscosity);
+  const Complex ratio = flow == Flow::within ? bore_ratio(lambda) : outer_ratio(lambda);
+  return (flow == Flow::across ? 4 : 2) * kPi * liquid.viscosity * ratio;
 }
 
 }  // namespace zona::beam

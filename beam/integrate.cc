@@ -42,8 +42,8 @@ TipHistory integrate_with(const Modal& modal, const BeamSystem& system, const Su
       fmt::format("modal superposition: {} modes, but this mesh has {}; use 0 for all or refine "
                   "the mesh",
                   modal.modes, system.size()));
-  const Immersion& bath = system.immersion;
-  require(!bath.acts() || (bath.model == BathModel::per_mode && bath.drag.empty()),
+  require(!system.liquids.has_bath(BathModel::frequency) &&
+              !system.liquids.has_bath(BathModel::constant) && system.liquids.drag.empty(),
           "modal superposition: in a bath it takes the model per_mode, without a quadratic drag; "
           "choose these, or another integrator");
   const int count = modal.modes == 0 ? system.size() : modal.modes;

@@ -23,7 +23,8 @@ struct Newmark {
 };
 
 /// Modal superposition, exact in time for any support motion here, with or without Rayleigh
-/// damping, and in a bath of BathModel::per_mode.
+/// damping, and in a bath of BathModel::per_mode. A fluid in the bore of a rod acts on each mode as
+/// at the mode's own frequency.
 struct Modal {
   int modes = 0;  ///< the lowest ones are kept; 0 keeps all
 };

@@ -19,26 +19,29 @@ ModalOscillators oscillators(const NaturalModes& modes, int count, double alpha,
 
 namespace {
 
-/// What the bath is to one mode at one frequency, all per modal mass.
-struct ModalBath {
+/// What the liquids are to one mode at one frequency, all per modal mass.
+struct ModalLiquids {
   double mass = 0;          ///< [-]
   double drag = 0;          ///< [1/s]
   double support_mass = 0;  ///< [-]
   double support_drag = 0;  ///< [1/s]
 };
 
-class ModalBaths {
+class LiquidsOfMode {
  public:
-  ModalBaths(const Immersion& bath, const NaturalModes& modes, int mode) : bath_(bath) {
+  LiquidsOfMode(const LiquidLoads& liquids, const NaturalModes& modes, int mode)
+      : liquids_(liquids) {
     const Eigen::VectorXd shape = modes.shape.col(mode);
-    displaced_ = project(bath.displaced, shape);
-    for (const Distributed& share : bath.share) share_.push_back(project(share, shape));
+    displaced_ = project(liquids.displaced, shape);
+    for (const ViscousLoad& load : liquids.viscous) share_.push_back(project(load.share, shape));
   }
 
-  ModalBath at(double omega) const {
-    ModalBath sum{displaced_.first, 0, displaced_.second, 0};
+  ModalLiquids at(double omega) const {
+    ModalLiquids sum{displaced_.first, 0, displaced_.second, 0};
     for (std::size_t k = 0; k < share_.size(); ++k) {
-      const std::complex<double> load = viscous_load(bath_.liquid, bath_.radius[k], {0, omega});
+      const ViscousLoad& kind = liquids_.viscous[k];
+      const std::complex<double> load =
+          viscous_load(kind.flow, kind.liquid, kind.radius, {0, omega});
       sum.mass += load.imag() / omega * share_[k].first;
       sum.drag += load.real() * share_[k].first;
       sum.support_mass += load.imag() / omega * share_[k].second;
@@ -54,7 +57,7 @@ class ModalBaths {
     return {shape.dot(product), shape.dot(load.support)};
   }
 
-  const Immersion& bath_;
+  const LiquidLoads& liquids_;
   std::pair<double, double> displaced_;  ///< of the shape with itself, and with rigid motion
   std::vector<std::pair<double, double>> share_;
 };
@@ -62,15 +65,15 @@ class ModalBaths {
 }  // namespace
 
 ModalOscillators oscillators(const BeamSystem& system, const NaturalModes& modes, int count) {
-  const Immersion& bath = system.immersion;
+  const LiquidLoads& liquids = system.liquids;
   ModalOscillators result = oscillators(modes, count, system.damping_alpha, system.damping_beta);
-  if (bath.acts()) {
+  if (liquids.act()) {
     result.drag_participation.resize(count);
     for (int n = 0; n < count; ++n) {
-      const ModalBaths of_mode(bath, modes, n);
+      const LiquidsOfMode of_mode(liquids, modes, n);
       const double in_vacuum = modes.angular_frequency(n);
       double omega = in_vacuum;
-      ModalBath load = of_mode.at(omega);
+      ModalLiquids load = of_mode.at(omega);
       // Added mass changes slowly with frequency: every round gains more than a digit.
       for (int round = 0; round < 100; ++round) {
         const double next = in_vacuum / std::sqrt(1 + load.mass);

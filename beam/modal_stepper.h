@@ -22,10 +22,10 @@ struct ModalOscillators {
 /// The lowest `count` modes under Rayleigh damping C = alpha M + beta K.
 ModalOscillators oscillators(const NaturalModes& modes, int count, double alpha, double beta);
 
-/// The lowest `count` modes of a beam. Half its loss factor is the damping ratio of each. In a
-/// bath, of whatever model, each mode has the added mass and the drag of its own frequency in the
-/// liquid, and what they couple modes by is left out; it is nothing for a cylinder immersed all
-/// over. A quadratic drag is left out.
+/// The lowest `count` modes of a beam. Half its loss factor is the damping ratio of each. Of
+/// liquids, whatever their model, each mode has the added mass and the drag of its own frequency in
+/// them, and what they couple modes by is left out; it is nothing for a cylinder immersed all over,
+/// or filled all over. A quadratic drag is left out.
 ModalOscillators oscillators(const BeamSystem& system, const NaturalModes& modes, int count);
 
 /// Modal superposition for `march`: every mode is an oscillator solved exactly between kinks,

@@ -56,6 +56,7 @@ void check_columns(const Pipette& pipette) {
                     "at 0 or more and end later",
                     column.start, column.end));
     require_not_negative("density of a column", column.density, "kg/m^3");
+    require_positive("viscosity of a column", column.viscosity, "Pa s");
   }
 }
 
@@ -81,11 +82,7 @@ void check(const Pipette& pipette) {
   require_positive("youngs_modulus", pipette.youngs_modulus, "Pa");
   require_positive("density", pipette.density, "kg/m^3");
   require_not_negative("fill_density", pipette.fill_density, "kg/m^3");
-  require(
-      pipette.axial_fill_share >= 0 && pipette.axial_fill_share <= 1,
-      fmt::format("pipette: axial_fill_share is {}, but it must lie between 0, no fluid follows "
-                  "the wall, and 1, all of it",
-                  pipette.axial_fill_share));
+  require_positive("fill_viscosity", pipette.fill_viscosity, "Pa s");
   require_not_negative("damping_alpha", pipette.damping_alpha, "1/s");
   require_not_negative("damping_beta", pipette.damping_beta, "s");
   require_not_negative("loss_factor", pipette.loss_factor, "");
@@ -156,6 +153,15 @@ UniformBeam uniform_beam(const Pipette& pipette) {
           mass_per_length(pipette)};
 }
 
+Liquid fill_at(const Pipette& pipette, double x) {
+  Liquid fill{pipette.fill_density, pipette.fill_viscosity};
+  const double from_tip = pipette.length - x;
+  for (const FillColumn& column : pipette.columns)
+    if (from_tip >= column.start && from_tip < column.end)
+      fill = {column.density, column.viscosity};
+  return fill;
+}
+
 double immersed_from(const Pipette& pipette) {
   if (pipette.bath.model == BathModel::none) return pipette.length;
   return std::max(0., pipette.length - pipette.bath.immersed_length);
@@ -172,11 +178,8 @@ Section section_of(const Pipette& pipette) {
       return pipette.youngs_modulus * second_moment_of_area(diameters_at(pipette, x));
     };
     section.mass_per_length = [pipette](double x) {
-      double density = pipette.fill_density;
-      const double from_tip = pipette.length - x;
-      for (const FillColumn& column : pipette.columns)
-        if (from_tip >= column.start && from_tip < column.end) density = column.density;
-      return mass_per_length(diameters_at(pipette, x), pipette.density, density);
+      return mass_per_length(diameters_at(pipette, x), pipette.density,
+                             fill_at(pipette, x).density);
     };
   }
   for (const Diameters& d : pipette.profile) section.breaks.push_back(pipette.length - d.from_tip);

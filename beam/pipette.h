@@ -16,9 +16,10 @@ struct Diameters {
 
 /// A part of the bore that one fluid fills.
 struct FillColumn {
-  double start = 0;    ///< distance from the tip [m]
-  double end = 0;      ///< [m]
-  double density = 0;  ///< [kg/m^3]
+  double start = 0;                       ///< distance from the tip [m]
+  double end = 0;                         ///< [m]
+  double density = 0;                     ///< [kg/m^3]
+  double viscosity = Liquid{}.viscosity;  ///< as Pipette::fill_viscosity [Pa s]
 };
 
 /// How the liquid around a pipette is taken into account.
@@ -48,9 +49,9 @@ struct Pipette {
   double youngs_modulus = 63.44e9;  ///< of the glass [Pa]
   double density = 2300;            ///< of the glass [kg/m^3]
   double fill_density = 0;          ///< of the fluid in the bore [kg/m^3]
-  /// Share of the fluid's mass that follows the wall when the pipette moves along itself, in [0,
-  /// 1]: 1 where the viscous layer fills the bore, 0 where the fluid stays behind.
-  double axial_fill_share = 1;
+  /// Of that fluid [Pa s]: how well it follows the wall when the pipette moves along itself. Across
+  /// the pipette it follows as a whole.
+  double fill_viscosity = Liquid{}.viscosity;
   int elements = 20;         ///< cubic elements
   double damping_alpha = 0;  ///< mass-proportional Rayleigh damping [1/s]
   double damping_beta = 0;   ///< stiffness-proportional Rayleigh damping [s]
@@ -101,6 +102,9 @@ UniformBeam uniform_beam(const Pipette& pipette);
 
 /// Its section along x from the support, for the finite elements. Calls check().
 Section section_of(const Pipette& pipette);
+
+/// What the bore holds at the distance x [m] from the support.
+Liquid fill_at(const Pipette& pipette, double x);
 
 /// Where the immersed part begins [m] from the support; the length where nothing is immersed.
 double immersed_from(const Pipette& pipette);

@@ -48,6 +48,60 @@ double faster_weights(double u, double spacing) {
   }
 }
 
+/// lambda K1/K0 of a cylinder.
+Relaxation outer_relaxation(const RateLadder& ladder, double diffusion_time) {
+  const double scale = std::log(diffusion_time);
+  const Eigen::Index last = ladder.rate.size() - 1;
+  Relaxation relaxation;
+  relaxation.weight.resize(last + 1);
+  for (Eigen::Index j = 0; j <= last; ++j)
+    relaxation.weight(j) = ladder.spacing * viscous_weight(std::log(ladder.rate(j)) + scale);
+  relaxation.instant = slower_weights(std::log(ladder.rate(0)) + scale, ladder.spacing);
+  relaxation.slope =
+      faster_weights(std::log(ladder.rate(last)) + scale, ladder.spacing) / ladder.rate(last);
+  return relaxation;
+}
+
+/// The n-th zero of the Bessel function J0, from 1 on: McMahon's series, and Newton's steps where
+/// that is short of digits.
+double zero_of_j0(int n) {
+  const double beta = (n - 0.25) * kPi;
+  const double y = 1 / (8 * beta);
+  double zero = beta + y - 124. / 3 * y * y * y + 120928. / 15 * std::pow(y, 5);
+  if (n > 10) return zero;
+  for (int step = 0; step < 3; ++step)
+    zero += std::cyl_bessel_j(0, zero) / std::cyl_bessel_j(1, zero);
+  return zero;
+}
+
+/// Lagrange's cubics on -1, 0, 1 and 2 at t.
+Eigen::Array4d cubic_shares(double t) {
+  return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
+          (t + 1) * t * (t - 1) / 6};
+}
+
+/// lambda I1/I0 of a bore.
+Relaxation bore_relaxation(const RateLadder& ladder, double diffusion_time) {
+  const Eigen::Index last = ladder.rate.size() - 1;
+  Relaxation relaxation;
+  relaxation.weight = Eigen::ArrayXd::Zero(last + 1);
+  double missing = 0.25;  // sum of 1/j_n^2 of the poles that are still to come
+  for (int n = 1;; ++n) {
+    const double square = std::pow(zero_of_j0(n), 2);
+    const double place = std::log(square / diffusion_time / ladder.rate(0)) / ladder.spacing;
+    if (place >= static_cast<double>(last) - 1) break;
+    missing -= 1 / square;
+    if (place < 0) {
+      relaxation.instant += 2;
+      continue;
+    }
+    const auto first = std::max<Eigen::Index>(0, static_cast<Eigen::Index>(place) - 1);
+    relaxation.weight.segment<4>(first) += 2 * cubic_shares(place - static_cast<double>(first) - 1);
+  }
+  relaxation.slope = 2 * diffusion_time * missing;
+  return relaxation;
+}
+
 }  // namespace
 
 RateLadder RateLadder::over(double lowest, double highest, double spacing) {
@@ -66,16 +120,15 @@ RateLadder RateLadder::over(double lowest, double highest, double spacing) {
   return ladder;
 }
 
-Relaxation viscous_relaxation(const RateLadder& ladder, const Liquid& liquid, double radius) {
-  const double scale = std::log(radius * radius * liquid.density / liquid.viscosity);
-  const Eigen::Index last = ladder.rate.size() - 1;
-  Relaxation relaxation;
-  relaxation.weight.resize(last + 1);
-  for (Eigen::Index j = 0; j <= last; ++j)
-    relaxation.weight(j) = ladder.spacing * viscous_weight(std::log(ladder.rate(j)) + scale);
-  relaxation.instant = slower_weights(std::log(ladder.rate(0)) + scale, ladder.spacing);
-  relaxation.slope =
-      faster_weights(std::log(ladder.rate(last)) + scale, ladder.spacing) / ladder.rate(last);
+Relaxation viscous_relaxation(Flow flow, const RateLadder& ladder, const Liquid& liquid,
+                              double radius) {
+  const double diffusion_time = radius * radius * liquid.density / liquid.viscosity;
+  Relaxation relaxation = flow == Flow::within ? bore_relaxation(ladder, diffusion_time)
+                                               : outer_relaxation(ladder, diffusion_time);
+  const double scale = (flow == Flow::across ? 4 : 2) * kPi * liquid.viscosity;
+  relaxation.weight *= scale;
+  relaxation.instant *= scale;
+  relaxation.slope *= scale;
   return relaxation;
 }
 

@@ -8,8 +8,7 @@ namespace zona::beam {
 
 /// Rates p_0 < p_1 < ... of Maxwell elements, evenly spaced in their logarithm: functions of the
 /// form int w(ln p) s/(s + p) d(ln p) become sums over them by the trapezoidal rule, whose error on
-/// the imaginary axis is exp(-pi^2 / spacing). All weights are positive, so that what stands for a
-/// passive load is passive.
+/// the imaginary axis is exp(-pi^2 / spacing).
 struct RateLadder {
   Eigen::ArrayXd rate;  ///< [1/s]
   double spacing = 1;   ///< of ln p
@@ -27,10 +26,15 @@ struct Relaxation {
   Eigen::ArrayXd weight;  ///< one per rate
 };
 
-/// `viscous_ratio` of a cylinder of this radius [m] in s. Its weights follow from the jump of
-/// K1/K0 across the negative axis: lambda K1(lambda)/K0(lambda) = int s/(s + p) w d(ln p) with
-/// w = 2 / (pi^2 (J0^2(x) + Y0^2(x))), x = a sqrt(p rho/eta).
-Relaxation viscous_relaxation(const RateLadder& ladder, const Liquid& liquid, double radius);
+/// `viscous_load` of a cylinder or a bore of this radius [m] in s, its weights in [Pa s].
+/// Around a cylinder they follow from the jump of K1/K0 across the negative axis, lambda
+/// K1(lambda)/K0(lambda) = int s/(s + p) w d(ln p) with w = 2 / (pi^2 (J0^2(x) + Y0^2(x))), x = a
+/// sqrt(p rho/eta); all are positive. Within a bore lambda I1(lambda)/I0(lambda) = 2 sum_n s/(s +
+/// p_n) has poles, p_n = j_n^2 eta/(rho a^2) with the zeros j_n of J0; each is shared by the four
+/// rates next to it as the cubic in ln p through them has it. With a spacing of 0.5 that errs by
+/// some 1e-3.
+Relaxation viscous_relaxation(Flow flow, const RateLadder& ladder, const Liquid& liquid,
+                              double radius);
 
 /// Stiffness with the same loss factor tan(delta) at all frequencies, relative to the storage
 /// modulus at `reference` [rad/s]: (s/reference)^a / cos(a pi/2) with a = 2/pi atan(loss factor)

@@ -47,8 +47,7 @@ int inversion_length(const Sampling& sampling) {
 }  // namespace
 
 TransferFunction::TransferFunction(const BeamSystem& system) : system_(system) {
-  const Immersion& bath = system.immersion;
-  require(!bath.acts() || (bath.model != BathModel::per_mode && bath.drag.empty()),
+  require(!system.liquids.has_bath(BathModel::per_mode) && system.liquids.drag.empty(),
           "transform: it takes no quadratic drag and no bath of the model per_mode; choose another "
           "integrator");
 }

@@ -11,10 +11,10 @@
 namespace zona::beam {
 
 /// Absolute motion of the observed point over that of the support, V(s)/g(s), in the Laplace
-/// variable s; at s = i omega the response to a support that vibrates steadily. The bath has its
+/// variable s; at s = i omega the response to a support that vibrates steadily. Liquids have their
 /// load at every frequency, and the stiffness its loss factor: nothing is approximated but by the
-/// elements and, where the radius changes, by Immersion's interpolation. Rayleigh damping acts on
-/// the relative motion. A quadratic drag is no linear load and is refused.
+/// elements and, where the radius changes, by the interpolation of ViscousLoad. Rayleigh damping
+/// acts on the relative motion. A quadratic drag is no linear load and is refused.
 class TransferFunction {
  public:
   /// Keeps a reference to the system. Throws std::invalid_argument for a quadratic drag and for

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "beam/frequency_lanes.h"
 #include "beam/require.h"
 #include "beam/transfer_function.h"
@@ -14,15 +16,10 @@ using namespace lanes;
 /// Of the first derivative on the points -2, -1, 1, 2, times the step.
 constexpr std::array<double, 4> kStencil{1. / 12, -8. / 12, 8. / 12, -1. / 12};
 
-/// Whether two beams have the same loads and moduli per frequency, whatever their matrices.
-bool same_factors(const BeamSystem& a, const BeamSystem& b) {
-  const Immersion &one = a.immersion, &other = b.immersion;
-  return a.loss_factor == b.loss_factor && a.loss_frequency == b.loss_frequency &&
-         a.damping_alpha == b.damping_alpha && a.damping_beta == b.damping_beta &&
-         one.model == other.model && one.radius == other.radius &&
-         one.liquid.density == other.liquid.density &&
-         one.liquid.viscosity == other.liquid.viscosity &&
-         one.angular_frequency == other.angular_frequency;
+bool same_load(const ViscousLoad& a, const ViscousLoad& b) {
+  return a.flow == b.flow && a.model == b.model && a.radius == b.radius &&
+         a.liquid.density == b.liquid.density && a.liquid.viscosity == b.liquid.viscosity &&
+         (a.model != BathModel::constant || a.angular_frequency == b.angular_frequency);
 }
 
 /// sum += weight (A q + b) of one beam.
@@ -55,6 +52,13 @@ differentiate(const ParameterStencil& parameter, const std::array<Factors, 4>& f
 
 }  // namespace
 
+bool same_factors(const BeamSystem& a, const BeamSystem& b) {
+  return a.loss_factor == b.loss_factor && a.loss_frequency == b.loss_frequency &&
+         a.damping_alpha == b.damping_alpha && a.damping_beta == b.damping_beta &&
+         std::equal(a.liquids.viscous.begin(), a.liquids.viscous.end(), b.liquids.viscous.begin(),
+                    b.liquids.viscous.end(), same_load);
+}
+
 TransferSensitivity transfer_sensitivity(const BeamSystem& system,
                                          const std::vector<ParameterStencil>& parameters,
                                          const std::vector<Complex>& s) {
@@ -62,7 +66,7 @@ TransferSensitivity transfer_sensitivity(const BeamSystem& system,
   for (const ParameterStencil& parameter : parameters)
     for (const BeamSystem& moved : parameter.moved)
       require(moved.size() == system.size() &&
-                  moved.immersion.radius.size() == system.immersion.radius.size(),
+                  moved.liquids.viscous.size() == system.liquids.viscous.size(),
               fmt::format("sensitivity: a moved beam has {} degrees of freedom instead of {}; take "
                           "a smaller step",
                           moved.size(), system.size()));

@@ -22,6 +22,9 @@ struct TransferSensitivity {
   std::vector<std::vector<std::complex<double>>> derivative;  ///< by p, one row per parameter
 };
 
+/// Whether two beams have the same loads and moduli at every frequency, whatever their matrices.
+bool same_factors(const BeamSystem& a, const BeamSystem& b);
+
 /// By forward sensitivity analysis in the Laplace domain: A q = b gives A q_p = b_p - A_p q, which
 /// takes one more substitution with the factors of A per parameter. No difference of responses is
 /// taken. Throws std::invalid_argument where TransferFunction would, or if a stencil's beams differ

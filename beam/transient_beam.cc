@@ -1,5 +1,6 @@
 #include "beam/transient_beam.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "beam/relaxation.h"
@@ -10,36 +11,42 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-void add_constant_bath(const Immersion& bath, TransientBeam& beam) {
-  for (std::size_t k = 0; k < bath.radius.size(); ++k) {
-    const std::complex<double> load =
-        viscous_load(bath.liquid, bath.radius[k], {0, bath.angular_frequency});
-    beam.mass.accumulate(load.imag() / bath.angular_frequency, bath.share[k].matrix);
-    beam.support_mass += load.imag() / bath.angular_frequency * bath.share[k].support;
-    beam.damping.accumulate(load.real(), bath.share[k].matrix);
-    beam.support_damping += load.real() * bath.share[k].support;
-  }
+/// A load as it is at one frequency: mass and drag.
+void add_constant_load(const ViscousLoad& load, TransientBeam& beam) {
+  const std::complex<double> value =
+      viscous_load(load.flow, load.liquid, load.radius, {0, load.angular_frequency});
+  const double mass = value.imag() / load.angular_frequency;
+  beam.mass.accumulate(mass, load.share.matrix);
+  beam.support_mass += mass * load.share.support;
+  beam.damping.accumulate(value.real(), load.share.matrix);
+  beam.support_damping += value.real() * load.share.support;
 }
 
-/// One column of weights per node of the radius.
-void add_bath_with_memory(const Immersion& bath, const RateLadder& ladder, TransientBeam& beam) {
-  const double scale = 4 * kPi * bath.liquid.viscosity;
-  const Eigen::Index first = beam.weight.cols();
-  const auto nodes = static_cast<Eigen::Index>(bath.radius.size());
-  beam.weight.conservativeResize(ladder.rate.size(), first + nodes);
-  for (Eigen::Index k = 0; k < nodes; ++k) {
-    const Distributed& share = bath.share[k];
-    const Relaxation load = viscous_relaxation(ladder, bath.liquid, bath.radius[k]);
-    // s/(s + p) of the velocity is the velocity less p y.
-    const double at_once = scale * (load.instant + load.weight.sum());
-    beam.damping.accumulate(at_once, share.matrix);
-    beam.support_damping += at_once * share.support;
-    beam.mass.accumulate(scale * load.slope, share.matrix);
-    beam.support_mass += scale * load.slope * share.support;
-    beam.weight.col(first + k) = -scale * ladder.rate * load.weight;
-    beam.basis.push_back(share.matrix);
-    beam.support.push_back(share.support);
-  }
+/// One more column of weights.
+void add_load_with_memory(const ViscousLoad& load, const RateLadder& ladder, TransientBeam& beam) {
+  const Relaxation relaxation = viscous_relaxation(load.flow, ladder, load.liquid, load.radius);
+  // s/(s + p) of the velocity is the velocity less p y.
+  const double at_once = relaxation.instant + relaxation.weight.sum();
+  beam.damping.accumulate(at_once, load.share.matrix);
+  beam.support_damping += at_once * load.share.support;
+  beam.mass.accumulate(relaxation.slope, load.share.matrix);
+  beam.support_mass += relaxation.slope * load.share.support;
+  beam.weight.conservativeResize(Eigen::NoChange, beam.weight.cols() + 1);
+  beam.weight.rightCols(1) = -(ladder.rate * relaxation.weight).matrix();
+  beam.basis.push_back(load.share.matrix);
+  beam.support.push_back(load.share.support);
+}
+
+/// Rates for what a beam remembers; none where it remembers nothing.
+RateLadder ladder_for(const BeamSystem& system, const FrequencySpan& span) {
+  const auto& loads = system.liquids.viscous;
+  const bool has_bore = std::any_of(loads.begin(), loads.end(), [](const ViscousLoad& load) {
+    return load.flow == Flow::within;
+  });
+  if (has_bore) return RateLadder::over(span.lowest, span.highest, 0.5);
+  if (system.liquids.has_bath(BathModel::frequency) || system.loss_factor > 0)
+    return RateLadder::over(span.lowest, span.highest);
+  return {};
 }
 
 /// The stiffness takes y itself, as s/(s + p) of the displacement.
@@ -56,8 +63,8 @@ void add_loss(const BeamSystem& system, const RateLadder& ladder, TransientBeam&
 }  // namespace
 
 TransientBeam transient_beam(const BeamSystem& system, const FrequencySpan& span) {
-  const Immersion& bath = system.immersion;
-  require(!(bath.acts() && bath.model == BathModel::per_mode),
+  const LiquidLoads& liquids = system.liquids;
+  require(!liquids.has_bath(BathModel::per_mode),
           "bath: per_mode has a meaning for modal superposition only; choose it, or another model "
           "of the bath");
   TransientBeam beam;
@@ -67,22 +74,22 @@ TransientBeam transient_beam(const BeamSystem& system, const FrequencySpan& span
   beam.damping.combine(system.damping_alpha, system.mass, system.damping_beta, system.stiffness);
   beam.support_mass = system.support_mass;
   beam.support_damping = Eigen::VectorXd::Zero(system.size());
-  beam.drag = bath.drag;
-  const bool has_memory = bath.acts() && bath.model == BathModel::frequency;
-  RateLadder ladder;
-  if (has_memory || system.loss_factor > 0) ladder = RateLadder::over(span.lowest, span.highest);
+  beam.drag = liquids.drag;
+  const RateLadder ladder = ladder_for(system, span);
   beam.rate = ladder.rate;
   beam.weight.resize(beam.rate.size(), 0);
-  if (bath.acts()) {
-    beam.mass.accumulate(1, bath.displaced.matrix);
-    beam.support_mass += bath.displaced.support;
-    if (has_memory)
-      add_bath_with_memory(bath, ladder, beam);
+  if (liquids.act()) {
+    beam.mass.accumulate(1, liquids.displaced.matrix);
+    beam.support_mass += liquids.displaced.support;
+  }
+  for (const ViscousLoad& load : liquids.viscous) {
+    if (load.model == BathModel::constant)
+      add_constant_load(load, beam);
     else
-      add_constant_bath(bath, beam);
+      add_load_with_memory(load, ladder, beam);
   }
   if (system.loss_factor > 0) add_loss(system, ladder, beam);
-  beam.is_damped = system.damping_alpha != 0 || system.damping_beta != 0 || bath.acts() ||
+  beam.is_damped = system.damping_alpha != 0 || system.damping_beta != 0 || liquids.act() ||
                    system.loss_factor > 0;
   return beam;
 }

@@ -20,11 +20,11 @@ struct FrequencySpan {
 ///     M q'' + C q' + K q + sum_k B_k sum_j w_jk y_j = -m g'' - c g' - sum_k b_k sum_j w_jk z_j,
 ///     y_j' = q' - p_j y_j,      z_j' = g' - p_j z_j.
 ///
-/// Without a bath and a loss factor it is BeamSystem's own equation. With BathModel::constant the
+/// Without liquids and a loss factor it is BeamSystem's own equation. With BathModel::constant the
 /// bath is in M and C alone.
 struct TransientBeam {
   SymmetricBand mass;                    ///< M
-  SymmetricBand damping;                 ///< C, of rigidity and bath together
+  SymmetricBand damping;                 ///< C, of rigidity and liquids together
   SymmetricBand stiffness;               ///< K
   Eigen::VectorXd support_mass;          ///< m
   Eigen::VectorXd support_damping;       ///< c
@@ -33,7 +33,7 @@ struct TransientBeam {
   std::vector<SymmetricBand> basis;      ///< B_k
   std::vector<Eigen::VectorXd> support;  ///< b_k
   Eigen::MatrixXd weight;                ///< w_jk, a row per rate
-  std::vector<QuadraturePoint> drag;     ///< as in Immersion
+  std::vector<QuadraturePoint> drag;     ///< as in LiquidLoads
 
   int size() const { return mass.size(); }                        ///< degrees of freedom
   int memories() const { return static_cast<int>(rate.size()); }  ///< how many y_j there are

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -47,6 +46,43 @@ void check_options(const TipMotionOptions& options) {
         fmt::format("tip motion: window length {} s must be positive", *options.length));
 }
 
+/// A tip's motion: histories along directions of length one.
+template <class Part>
+Eigen::Vector3d displacement_at(const std::vector<Part>& parts, double time) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Part& part : parts) sum += interpolate(part.history, time).value * part.axis;
+  return sum;
+}
+
+/// The first instant at which a tip has departed from its place at `first` by a fraction of its
+/// largest departure at any of the samples until `last`.
+template <class Part>
+double onset(const std::vector<Part>& parts, double first, double last, double fraction) {
+  if (!(fraction > 0 && fraction < 1))
+    throw std::invalid_argument(
+        fmt::format("onset of motion: the fraction {} must lie between 0 and 1", fraction));
+  const Eigen::Vector3d origin = displacement_at(parts, first);
+  const auto departure = [&](double time) {
+    return (displacement_at(parts, time) - origin).norm();
+  };
+  std::vector<double> times;
+  for (const Part& part : parts)
+    for (const double time : part.history.time)
+      if (time >= first && time <= last) times.push_back(time);
+  std::sort(times.begin(), times.end());
+  double largest = 0;
+  for (const double time : times) largest = std::max(largest, departure(time));
+  if (largest == 0) throw std::invalid_argument("onset of motion: the tip never moves");
+  std::size_t crossed = 0;
+  while (departure(times[crossed]) < fraction * largest) ++crossed;
+  double before = times[crossed - 1];
+  double after = times[crossed];
+  for (double middle = (before + after) / 2; before < middle && middle < after;
+       middle = (before + after) / 2)
+    (departure(middle) < fraction * largest ? before : after) = middle;
+  return after;
+}
+
 void check_window(double start, double length, double first, double last) {
   if (start >= first && length > 0 && start + length <= last + rounding * length) return;
   throw std::out_of_range(
@@ -58,27 +94,9 @@ void check_window(double start, double length, double first, double last) {
 }  // namespace
 
 double onset_of_motion(const beam::TipHistory& history, double fraction) {
-  if (!(fraction > 0 && fraction < 1))
-    throw std::invalid_argument(
-        fmt::format("onset of motion: the fraction {} must lie between 0 and 1", fraction));
-  const beam::TipHistory tip = prepared(history);
-  const auto departure = [&](double displacement) {
-    return std::abs(displacement - tip.displacement.front());
-  };
-  double largest = 0;
-  for (const double displacement : tip.displacement)
-    largest = std::max(largest, departure(displacement));
-  if (largest == 0) throw std::invalid_argument("onset of motion: the tip never moves");
-  std::size_t crossed = 0;
-  while (departure(tip.displacement[crossed]) < fraction * largest) ++crossed;
-  double before = tip.time[crossed - 1];
-  double after = tip.time[crossed];
-  for (double middle = (before + after) / 2; before < middle && middle < after;
-       middle = (before + after) / 2) {
-    const double there = interpolate(tip, middle).value;
-    (departure(there) < fraction * largest ? before : after) = middle;
-  }
-  return after;
+  const std::vector<DirectedHistory> only{{prepared(history), Eigen::Vector3d::UnitX()}};
+  const std::vector<double>& time = only.front().history.time;
+  return onset(only, time.front(), time.back(), fraction);
 }
 
 TipMotion::TipMotion(const beam::TipHistory& history, const TipMotionOptions& options)
@@ -93,14 +111,12 @@ TipMotion::TipMotion(std::vector<DirectedHistory> histories, const TipMotionOpti
   check_options(options);
   for (DirectedHistory& directed : histories)
     parts_.push_back({prepared(std::move(directed.history)), unit_axis(directed.axis), 0});
-  start_ = options.start ? *options.start : std::numeric_limits<double>::infinity();
   double first = parts_.front().history.time.front(), last = parts_.front().history.time.back();
   for (const Part& part : parts_) {
-    if (!options.start)
-      start_ = std::min(start_, onset_of_motion(part.history, options.start_fraction));
     first = std::max(first, part.history.time.front());
     last = std::min(last, part.history.time.back());
   }
+  start_ = options.start ? *options.start : onset(parts_, first, last, options.start_fraction);
   length_ = options.length ? *options.length : last - start_;
   check_window(start_, length_, first, last);
   for (Part& part : parts_) part.offset = interpolate(part.history, start_).value;

@@ -14,7 +14,8 @@ namespace zona::coupling {
 /// Which part of a tip's history drives the pipette, and how.
 struct TipMotionOptions {
   /// Instant of the history at which the pipette starts [s]; if absent, the instant at which the
-  /// tip has first moved by `start_fraction` of its largest displacement (see `onset_of_motion`).
+  /// tip, in whatever direction, has first moved by `start_fraction` of its largest displacement
+  /// (see `onset_of_motion`).
   std::optional<double> start;
   double start_fraction = 0.01;                     ///< in (0, 1)
   std::optional<double> length;                     ///< of the window [s]; absent: to the end
@@ -30,8 +31,7 @@ struct DirectedHistory {
 };
 
 /// The motion of the MPM pipette that a tip history prescribes, or two of them with an axis each:
-/// the motion is then their sum, over one window, which begins when the first of them begins to
-/// move unless its start is given.
+/// the motion is then their sum, over one window.
 ///
 /// Between the samples the displacement is the cubic that has the sampled displacements and
 /// velocities at both ends (Hermite): once continuously differentiable, its error of fourth order

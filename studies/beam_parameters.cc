@@ -49,18 +49,28 @@ double end_of(const Configuration& study, const std::string& key, double length)
   return study.is_auto(key) ? length : study.quantity(key);
 }
 
-void fill(const Configuration& study, double density, beam::Pipette& pipette) {
+/// The viscosity that stands under a key, for "auto" that of the fluid by this name, or water's.
+double viscosity_of(const Configuration& study, const std::string& key, const std::string& fluid) {
+  if (!study.is_auto(key)) return study.quantity(key);
+  for (const beam::Fluid& known : beam::named_fluids())
+    if (known.name == fluid) return known.viscosity;
+  return beam::Liquid{}.viscosity;
+}
+
+void fill(const Configuration& study, const beam::Fluid& fluid, beam::Pipette& pipette) {
   const double start = study.quantity("fill.start");
   const double end = end_of(study, "fill.end", pipette.length);
   if (start == 0 && end >= pipette.length) {
-    pipette.fill_density = density;
+    pipette.fill_density = fluid.density;
+    pipette.fill_viscosity = fluid.viscosity;
   } else {
-    pipette.columns.push_back({start, end, density});
+    pipette.columns.push_back({start, end, fluid.density, fluid.viscosity});
   }
   for (const Table& column : study.items("column"))
     pipette.columns.push_back({column.quantity("start"),
                                end_of(study, column.key("end"), pipette.length),
-                               column.quantity("fluid")});
+                               column.quantity("fluid"),
+                               viscosity_of(study, column.key("viscosity"), column.text("fluid"))});
 }
 
 beam::Bath bath_from(const Configuration& study) {
@@ -78,8 +88,23 @@ beam::Bath bath_from(const Configuration& study) {
 
 }  // namespace
 
+std::vector<beam::Fluid> fills_of(const Configuration& study) {
+  std::vector<beam::Fluid> fills;
+  const auto add = [&](const std::string& name, double density) {
+    fills.push_back({name, density, viscosity_of(study, "fill.viscosity", name), ""});
+  };
+  if (study.schema().find("fill.fluid") != nullptr) {
+    add(study.text("fill.fluid"), study.quantity("fill.fluid"));
+    return fills;
+  }
+  const auto names = study.texts("fill.fluids");
+  const auto densities = study.quantities("fill.fluids");
+  for (std::size_t i = 0; i < names.size(); ++i) add(names[i], densities[i]);
+  return fills;
+}
+
 beam::Pipette pipette_from(const Configuration& study, const std::string& section,
-                           double fill_density) {
+                           const beam::Fluid& fluid) {
   beam::Pipette pipette;
   pipette.length = study.quantity(section + ".length");
   pipette.outer_diameter = study.quantity("pipette.outer_diameter");
@@ -87,14 +112,13 @@ beam::Pipette pipette_from(const Configuration& study, const std::string& sectio
   pipette.youngs_modulus = study.quantity(section + ".youngs_modulus");
   pipette.density = study.quantity("pipette.density");
   pipette.elements = static_cast<int>(study.integer(section + ".elements"));
-  pipette.axial_fill_share = study.number(section + ".axial_fill_share");
   pipette.damping_alpha = study.quantity(section + ".rayleigh_alpha");
   pipette.damping_beta = study.quantity(section + ".rayleigh_beta");
   pipette.loss_factor = study.number(section + ".loss_factor");
   pipette.loss_frequency = study.quantity(section + ".loss_frequency");
   pipette.profile =
       blaming(study, section + ".profile", [&] { return profile_from(study, section, pipette); });
-  fill(study, fill_density, pipette);
+  fill(study, fluid, pipette);
   pipette.bath = bath_from(study);
   try {
     beam::check(pipette);
@@ -190,14 +214,22 @@ beam::Sampling sampling_from(const Configuration& study, const std::string& sect
 }
 
 beam::Integrator integrator_from(const Configuration& study, const std::string& section,
-                                 const beam::Pipette& pipette) {
+                                 const beam::BeamSystem& system) {
   const std::string& name = study.choice(section + ".integrator");
-  if (name == "modal") return beam::Modal{};
+  if (name == "modal") {
+    // A bore's fluid at each mode's own frequency would be a poor guess.
+    const auto& loads = system.liquids.viscous;
+    const bool is_filled_rod = std::any_of(loads.begin(), loads.end(), [](const auto& load) {
+      return load.flow == beam::Flow::within;
+    });
+    if (is_filled_rod && !system.liquids.has_bath(beam::BathModel::per_mode))
+      return beam::Transform{};
+    return beam::Modal{};
+  }
   if (name == "transform") return beam::Transform{};
   if (name == "newmark") return beam::Newmark{};
   // Maxwell elements relax within nanoseconds.
-  const bool is_stiff = pipette.damping_beta > 0 || pipette.loss_factor > 0 ||
-                        pipette.bath.model != beam::BathModel::none;
+  const bool is_stiff = system.damping_beta > 0 || system.loss_factor > 0 || system.liquids.act();
   const auto method = is_stiff ? beam::RungeKutta::implicit_5 : beam::RungeKutta::explicit_8;
   return beam::Arkode{study.number(section + ".relative_tolerance"),
                       study.quantity(section + ".absolute_tolerance"), method};

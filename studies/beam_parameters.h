@@ -1,9 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "beam/fluid.h"
 #include "beam/integrate.h"
 #include "beam/pipette.h"
 #include "beam/support_motion.h"
@@ -12,11 +12,16 @@
 
 namespace zona::studies {
 
-/// The pipette of a study, filled with a fluid of the given density [kg/m^3] where [fill] says: its
-/// bore and glass density stand in section [pipette], the rest in `section`, [[column]] and [bath].
-/// Throws InputError for a pipette that is no beam, or a profile that cannot be read.
+/// The fluids of fill.fluid or fill.fluids, with the names that the study gives them, a density for
+/// one. The viscosity of each is fill.viscosity, for "auto" its own or, of one given by density,
+/// that of water.
+std::vector<beam::Fluid> fills_of(const Configuration& study);
+
+/// The pipette of a study, filled with this fluid where [fill] says: its bore and glass density
+/// stand in section [pipette], the rest in `section`, [[column]] and [bath]. Throws InputError for
+/// a pipette that is no beam, or a profile that cannot be read.
 beam::Pipette pipette_from(const Configuration& study, const std::string& section,
-                           double fill_density);
+                           const beam::Fluid& fill);
 
 /// Peak displacement of the support [m]: pulse.peak, or for "auto" voltage times gain.
 double support_peak(const Configuration& study);
@@ -35,17 +40,12 @@ std::vector<std::string> bath_warnings(const Configuration& study, const std::st
 /// InputError for a trace that cannot be read or a train that overlaps itself.
 beam::SupportMotion support_motion(const Configuration& study, double duration);
 
-/// Motion of the tip across and along its pipette, from rest, where the support moves it; one or
-/// both.
-struct TipHistories {
-  std::optional<beam::TipHistory> lateral;
-  std::optional<beam::TipHistory> axial;
-};
-
 /// The samples and the integrator declared in a section by `declare_beam_integration`. With
-/// stiffness-proportional damping ARKODE is implicit, because the system is then stiff.
+/// stiffness-proportional damping or Maxwell elements ARKODE is implicit, because the system is
+/// then stiff. Modal superposition, which cannot have a bore's fluid at every frequency, gives way
+/// to the inverse transform for a filled pipette that moves along itself, but in a bath per mode.
 beam::Sampling sampling_from(const Configuration& study, const std::string& section);
 beam::Integrator integrator_from(const Configuration& study, const std::string& section,
-                                 const beam::Pipette& pipette);
+                                 const beam::BeamSystem& system);
 
 }  // namespace zona::studies

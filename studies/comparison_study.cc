@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 
+#include "studies/beam_parameters.h"
 #include "studies/interrupt.h"
 #include "studies/piercing_run.h"
 #include "studies/piercing_study.h"
@@ -21,12 +22,9 @@ namespace zona::studies {
 namespace {
 
 std::vector<PiercingCase> make_cases(const Configuration& study) {
-  const auto names = study.texts("fill.fluids");
-  const auto densities = study.quantities("fill.fluids");
   std::vector<PiercingCase> cases;
-  for (std::size_t f = 0; f < names.size(); ++f) {
-    cases.push_back(make_piercing_case(study, names[f], densities[f]));
-  }
+  for (const beam::Fluid& fluid : fills_of(study))
+    cases.push_back(make_piercing_case(study, fluid));
   return cases;
 }
 
@@ -99,7 +97,7 @@ std::vector<Round> make_rounds(const std::vector<PiercingCase>& cases, int threa
 
 std::string label(const Round& round) {
   std::string names;
-  for (const auto* fill : round.fills) names += (names.empty() ? "" : ", ") + fill->fluid;
+  for (const auto* fill : round.fills) names += (names.empty() ? "" : ", ") + fill->fluid.name;
   return names;
 }
 
@@ -115,11 +113,11 @@ void run_round(const Round& round, const Configuration& study, Session& session)
   session.progress.start(label(round), round.fills.front()->end, count);
   for (int f = 0; f < count; ++f) {
     const PiercingCase& fill = *round.fills[f];
-    logs.push_back(session.directory.log_of(fill.fluid));
+    logs.push_back(session.directory.log_of(fill.fluid.name));
     const PiercingWork work{study,
                             plan,
                             checkpoints,
-                            session.directory.file(directory_name(fill.fluid)),
+                            session.directory.file(directory_name(fill.fluid.name)),
                             round.threads,
                             *logs.back(),
                             session.progress,
@@ -167,7 +165,7 @@ StudyCost estimate_comparison(const Configuration& study) {
   StudyCost sum;
   for (const auto& piercing : make_cases(study)) {
     const StudyCost cost = piercing_cost(piercing);
-    sum.text += fmt::format("{:<12} {}\n", piercing.fluid, cost.text);
+    sum.text += fmt::format("{:<12} {}\n", piercing.fluid.name, cost.text);
     sum.point_steps += cost.point_steps;
   }
   return sum;

@@ -111,43 +111,19 @@ const char* window_key(const Configuration& study) {
   return study.is_auto("motion.window_start") ? "motion.window_length" : "motion.window_start";
 }
 
-bool is_beam_driven(const Configuration& study) {
-  return study.choice("motion.kind") == "beam";
-}
-
-coupling::TipMotion motion_of(const Configuration& study, const PiercingCase& c) {
-  if (!c.axial_tip_history) {
-    const bool is_axial = is_beam_driven(study) && pulse_direction(study).across == 0;
-    return {*c.tip_history, tip_motion_options(study, is_axial ? kAxial : motion_axis(study))};
-  }
-  return {*c.tip_history, tip_motion_options(study, kLateral), {*c.axial_tip_history, kAxial}};
-}
-
 /// The motion of the tip in the window of its history.
-void drive_by_history(const Configuration& study, PiercingCase& c) {
-  const auto motion = blaming(study, window_key(study), [&] { return motion_of(study, c); });
+void drive_by(const coupling::TipMotion& motion, PiercingCase& c) {
   c.window_start = motion.start();
   c.setup.pipette.motion = motion;
 }
 
 /// The tip of a system, the beam or the rod, after a part of [pulse].
-beam::TipHistory history_of(const Configuration& study, const beam::Pipette& pipette,
-                            const beam::BeamSystem& system, double part) {
+beam::TipHistory history_of(const Configuration& study, const beam::BeamSystem& system,
+                            double part) {
   beam::SupportMotion pulse = support_motion(study, study.quantity("pulse.duration"));
   if (part != 1) pulse = beam::scaled(pulse, part);
   return beam::integrate(system, pulse, sampling_from(study, "beam"),
-                         integrator_from(study, "beam", pipette));
-}
-
-/// The pipette's tip across and along it, after the parts of [pulse] in those directions.
-TipHistories beam_tip_histories(const Configuration& study, double fluid_density) {
-  const beam::Pipette pipette = pipette_from(study, "beam", fluid_density);
-  const PulseDirection part = pulse_direction(study);
-  TipHistories tip;
-  if (part.across != 0)
-    tip.lateral = history_of(study, pipette, beam::cantilever(pipette), part.across);
-  if (part.along != 0) tip.axial = history_of(study, pipette, beam::axial_rod(pipette), part.along);
-  return tip;
+                         integrator_from(study, "beam", system));
 }
 
 /// libhdf5 crashes on some damaged files: only what passes a rehearsal is read here.
@@ -175,7 +151,8 @@ void set_motion(const Configuration& study, PiercingCase& c) {
         coupling::TrianglePulse{motion_amplitude(study), study.quantity("motion.duration"), axis,
                                 study.quantity("motion.ramp")});
   } else if (kind == "beam") {
-    TipHistories tip = beam_tip_histories(study, c.fluid_density);
+    TipHistories tip = beam_tip_histories(study, c.fluid);
+    drive_by(tip_motion(study, tip), c);
     if (tip.lateral) {
       c.bath_warnings = bath_warnings(study, "beam", *tip.lateral);
       c.tip_history = std::move(tip.lateral);
@@ -183,42 +160,43 @@ void set_motion(const Configuration& study, PiercingCase& c) {
     } else {
       c.tip_history = std::move(tip.axial);
     }
-    if (pulse_direction(study).along != 0 && c.fluid_density > 0 &&
-        study.number("beam.axial_fill_share") > 0)
-      c.bath_warnings.emplace_back(
-          "the fluid in the bore follows the wall along the pipette without lagging, so that the "
-          "tip rings along itself far too long after the pulse (beam.axial_fill_share)");
     c.support_peak =
         beam::peak_displacement(support_motion(study, study.quantity("pulse.duration")));
-    drive_by_history(study, c);
   } else {
     c.tip_history = blaming(study, "motion.trace",
                             [&] { return read_trace(study.path("motion.trace").string()); });
-    drive_by_history(study, c);
+    drive_by(blaming(study, window_key(study),
+                     [&] {
+                       return coupling::TipMotion(*c.tip_history, tip_motion_options(study, axis));
+                     }),
+             c);
   }
 }
 
 }  // namespace
 
-coupling::TipMotion tip_motion(const Configuration& study, const beam::TipHistory& history) {
-  if (is_beam_driven(study) && pulse_direction(study).along != 0)
-    throw InputError({study.problem(
-        "pulse.angle", "one history of a tip has one direction; here it needs \"90 deg\"")});
-  const auto options = tip_motion_options(study, motion_axis(study));
-  return blaming(study, window_key(study), [&] { return coupling::TipMotion(history, options); });
+coupling::TipMotion tip_motion(const Configuration& study, const TipHistories& tip) {
+  return blaming(study, window_key(study), [&]() -> coupling::TipMotion {
+    if (!tip.lateral) return {*tip.axial, tip_motion_options(study, kAxial)};
+    const auto options = tip_motion_options(study, kLateral);
+    if (!tip.axial) return {*tip.lateral, options};
+    return {*tip.lateral, options, {*tip.axial, kAxial}};
+  });
 }
 
-beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density) {
-  const beam::Pipette pipette = pipette_from(study, "beam", fluid_density);
-  return history_of(study, pipette, beam::cantilever(pipette), 1);
+TipHistories beam_tip_histories(const Configuration& study, const beam::Fluid& fluid) {
+  const beam::Pipette pipette = pipette_from(study, "beam", fluid);
+  const PulseDirection part = pulse_direction(study);
+  TipHistories tip;
+  if (part.across != 0) tip.lateral = history_of(study, beam::cantilever(pipette), part.across);
+  if (part.along != 0) tip.axial = history_of(study, beam::axial_rod(pipette), part.along);
+  return tip;
 }
 
-PiercingCase make_piercing_case(const Configuration& study, const std::string& fluid,
-                                double fluid_density) {
+PiercingCase make_piercing_case(const Configuration& study, const beam::Fluid& fluid) {
   PiercingCase c;
   c.fluid = fluid;
-  c.fluid_density = fluid_density;
-  c.setup = piercing_setup(study, fluid_density);
+  c.setup = piercing_setup(study, fluid.density);
   c.end = simulation_end(study);
   set_motion(study, c);
   const auto model = blaming(study, "grid.domain", [&] { return build_piercing(c.setup); });

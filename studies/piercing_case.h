@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "beam/fluid.h"
 #include "beam/tip_history.h"
 #include "coupling/tip_motion.h"
 #include "studies/configuration.h"
@@ -12,8 +14,7 @@ namespace zona::studies {
 
 /// One piercing, ready to run: everything that can be wrong with the input has been found.
 struct PiercingCase {
-  std::string fluid;         ///< name or density as the user wrote it
-  double fluid_density = 0;  ///< [kg/m^3]
+  beam::Fluid fluid;  ///< its name, or its density, as the user wrote it
   PiercingSetup setup;
   double critical_step = 0;  ///< [s]
   double step = 0;           ///< [s]
@@ -27,17 +28,23 @@ struct PiercingCase {
   std::vector<std::string> bath_warnings{};  ///< where the beam's fluids are taken too far
 };
 
-/// The case that a piercing or comparison study describes for one fill. Integrates the beam or
-/// reads the trace where the motion asks for it. Throws InputError, naming file and line.
-PiercingCase make_piercing_case(const Configuration& study, const std::string& fluid,
-                                double fluid_density);
+/// The case that a piercing or comparison study describes for one of its `fills_of`. Integrates the
+/// beam or reads the trace where the motion asks for it. Throws InputError, naming file and line.
+PiercingCase make_piercing_case(const Configuration& study, const beam::Fluid& fluid);
 
-/// The part of a tip's history that [motion] lets drive the pipette, across it after a pulse at a
-/// right angle. Throws InputError for a window outside the history, or a pulse at another angle.
-coupling::TipMotion tip_motion(const Configuration& study, const beam::TipHistory& history);
+/// Motion of a beam's tip across and along its pipette, from rest, where the support moves it; one
+/// or both.
+struct TipHistories {
+  std::optional<beam::TipHistory> lateral{};
+  std::optional<beam::TipHistory> axial{};
+};
 
-/// The pipette of a study's [beam] table with its bore full of a fluid [kg/m^3], driven across
-/// itself by its [pulse].
-beam::TipHistory beam_tip_history(const Configuration& study, double fluid_density);
+/// The part of a beam's motion that [motion] lets drive the pipette. Throws InputError for a window
+/// outside the histories.
+coupling::TipMotion tip_motion(const Configuration& study, const TipHistories& tip);
+
+/// The pipette of a study's [beam] table with this fluid in its bore, after the parts of [pulse]
+/// across and along it.
+TipHistories beam_tip_histories(const Configuration& study, const beam::Fluid& fluid);
 
 }  // namespace zona::studies

@@ -197,8 +197,8 @@ nlohmann::json PiercingRun::results() const {
   double first_failure = std::numeric_limits<double>::infinity();
   for (double t : zona.integrity.failure_time) first_failure = std::min(first_failure, t);
   nlohmann::json r;
-  r["fluid"] = case_.fluid;
-  r["fluid_density"] = case_.fluid_density;
+  r["fluid"] = case_.fluid.name;
+  r["fluid_density"] = case_.fluid.density;
   if (case_.tip_history) {
     double amplitude = 0;
     for (double u : case_.tip_history->displacement) amplitude = std::max(amplitude, std::abs(u));

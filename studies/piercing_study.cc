@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "studies/beam_parameters.h"
 #include "studies/piercing_run.h"
 #include "studies/piercing_values.h"
 #include "studies/run_directory.h"
@@ -14,8 +15,8 @@
 namespace zona::studies {
 
 Job prepare_piercing(const Configuration& study) {
-  const auto piercing = std::make_shared<PiercingCase>(
-      make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
+  const auto piercing =
+      std::make_shared<PiercingCase>(make_piercing_case(study, fills_of(study).front()));
   return [study, piercing](Session& session) {
     session.directory.log().info(piercing_cost(*piercing).text);
     session.progress.start("piercing", piercing->end);
@@ -39,13 +40,11 @@ Job prepare_piercing(const Configuration& study) {
 }
 
 StudyCost estimate_piercing(const Configuration& study) {
-  return piercing_cost(
-      make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid")));
+  return piercing_cost(make_piercing_case(study, fills_of(study).front()));
 }
 
 std::string try_piercing(const Configuration& study, int threads) {
-  const PiercingCase piercing =
-      make_piercing_case(study, study.text("fill.fluid"), study.quantity("fill.fluid"));
+  const PiercingCase piercing = make_piercing_case(study, fills_of(study).front());
   const auto trial = [&] {
     return try_simulation(build_piercing(piercing.setup), piercing.step, piercing.end,
                           output_plan(study, piercing.end), threads);

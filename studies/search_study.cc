@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "studies/beam_parameters.h"
 #include "studies/history_file.h"
 #include "studies/interrupt.h"
 #include "studies/piercing_case.h"
@@ -461,8 +462,7 @@ Size size_of(const Plan& plan) {
 }
 
 PiercingCase reference_case(const Plan& plan) {
-  return make_piercing_case(plan.base, plan.base.text("fill.fluid"),
-                            plan.base.quantity("fill.fluid"));
+  return make_piercing_case(plan.base, fills_of(plan.base).front());
 }
 
 }  // namespace

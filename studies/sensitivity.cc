@@ -10,6 +10,7 @@
 #include "beam/transfer_function.h"
 #include "beam/transfer_sensitivity.h"
 #include "studies/beam_parameters.h"
+#include "studies/shared_parameters.h"
 
 namespace zona::studies {
 
@@ -43,8 +44,10 @@ Configuration scaled(const Configuration& study, const std::string& key, double 
 std::vector<Input> inputs_of(const Configuration& study, const VibrationCase& setup) {
   std::vector<Input> inputs;
   const auto add = [&](const std::string& key) {
-    // Only the motion along the pipette depends on these.
-    if (key == "pulse.angle" || key == "pipette.axial_fill_share") return;
+    // At a right angle there is no motion along the pipette for the angle to trade with; the
+    // fluid's viscosity is the case's.
+    if (key == "fill.viscosity") return;
+    if (key == "pulse.angle" && pulse_direction(study).along == 0) return;
     const Parameter& parameter = *study.schema().find(key);
     const bool is_number =
         parameter.kind == Parameter::Kind::quantity || parameter.kind == Parameter::Kind::number;
@@ -64,37 +67,53 @@ std::vector<Input> inputs_of(const Configuration& study, const VibrationCase& se
     if (kind == "bath" && study.choice("bath.model") == "none") continue;
     for (const std::string& key : study.keys_of(table)) add(key);
   }
-  const auto add_own = [&](const char* key, const char* unit, double VibrationCase::*member) {
-    if (setup.*member == 0) return;
-    inputs.push_back({key, unit, setup.*member, member == &VibrationCase::pulse_duration,
-                      [&study, setup, member](double factor) {
-                        VibrationCase moved = setup;
-                        moved.*member *= factor;
-                        return std::pair(study, moved);
-                      }});
+  const auto add_own = [&](const char* key, const char* unit, bool moves_support,
+                           double& (*member)(VibrationCase&)) {
+    VibrationCase own = setup;
+    if (member(own) == 0) return;
+    inputs.push_back(
+        {key, unit, member(own), moves_support, [&study, setup, member](double factor) {
+           VibrationCase moved = setup;
+           member(moved) *= factor;
+           return std::pair(study, moved);
+         }});
   };
-  add_own("fill.fluids", "kg/m^3", &VibrationCase::fluid_density);
-  add_own("pulse.durations", "s", &VibrationCase::pulse_duration);
+  add_own("fill.fluids", "kg/m^3", false,
+          [](VibrationCase& c) -> double& { return c.fluid.density; });
+  add_own("fill.viscosity", "Pa s", false,
+          [](VibrationCase& c) -> double& { return c.fluid.viscosity; });
+  add_own("pulse.durations", "s", true,
+          [](VibrationCase& c) -> double& { return c.pulse_duration; });
   return inputs;
 }
 
-beam::BeamSystem beam_of(const Configuration& study, const VibrationCase& setup) {
-  const beam::Pipette pipette = pipette_from(study, "pipette", setup.fluid_density);
+beam::BeamSystem beam_of(const Configuration& study, const VibrationCase& setup,
+                         Direction direction) {
+  const beam::Pipette pipette = pipette_from(study, "pipette", setup.fluid);
+  if (direction == Direction::along) return beam::axial_rod(pipette);
   return study.choice("pipette.supports") == "pinned" ? beam::simply_supported(pipette)
                                                       : beam::cantilever(pipette);
 }
 
+/// The support's motion in a direction.
+beam::SupportMotion motion_of(const Configuration& study, const VibrationCase& setup,
+                              Direction direction) {
+  const beam::SupportMotion motion = support_motion(study, setup.pulse_duration);
+  const PulseDirection parts = pulse_direction(study);
+  const double part = direction == Direction::across ? parts.across : parts.along;
+  return part == 1 ? motion : beam::scaled(motion, part);
+}
+
 /// The beam with an input moved; nothing where it has another mesh then.
-std::optional<beam::ParameterStencil> stencil_of(const Input& input,
+std::optional<beam::ParameterStencil> stencil_of(const Input& input, Direction direction,
                                                  const beam::BeamSystem& system) {
   beam::ParameterStencil stencil;
   stencil.step = kStep * input.value;
   for (std::size_t i = 0; i < kPlaces.size(); ++i) {
     const auto [study, setup] = input.times(1 + kPlaces[i] * kStep);
-    stencil.moved[i] = beam_of(study, setup);
-    const beam::Immersion& bath = stencil.moved[i].immersion;
+    stencil.moved[i] = beam_of(study, setup, direction);
     if (stencil.moved[i].size() != system.size() ||
-        bath.radius.size() != system.immersion.radius.size())
+        stencil.moved[i].liquids.viscous.size() != system.liquids.viscous.size())
       return std::nullopt;
   }
   return stencil;
@@ -108,25 +127,18 @@ bool changes(const beam::ParameterStencil& stencil) {
   };
   const beam::BeamSystem& a = stencil.moved.front();
   const beam::BeamSystem& b = stencil.moved.back();
-  if (differ(a.mass, b.mass) || differ(a.stiffness, b.stiffness) ||
-      a.loss_factor != b.loss_factor || a.loss_frequency != b.loss_frequency ||
-      a.damping_alpha != b.damping_alpha || a.damping_beta != b.damping_beta)
-    return true;
-  if (!a.immersion.acts()) return false;
-  return differ(a.immersion.displaced.matrix, b.immersion.displaced.matrix) ||
-         a.immersion.liquid.viscosity != b.immersion.liquid.viscosity ||
-         (a.immersion.model == beam::BathModel::constant &&
-          a.immersion.angular_frequency != b.immersion.angular_frequency);
+  return differ(a.mass, b.mass) || differ(a.stiffness, b.stiffness) || !same_factors(a, b) ||
+         (a.liquids.act() && differ(a.liquids.displaced.matrix, b.liquids.displaced.matrix));
 }
 
 /// Derivatives of the kinks' times and jumps, of which the motion's transform is made.
-std::vector<std::pair<beam::Kink, beam::Kink>> moving_kinks(const Input& input,
+std::vector<std::pair<beam::Kink, beam::Kink>> moving_kinks(const Input& input, Direction direction,
                                                             const beam::SupportMotion& motion) {
   std::vector<std::pair<beam::Kink, beam::Kink>> kinks;
   for (const beam::Kink& kink : beam::kinks(motion)) kinks.emplace_back(kink, beam::Kink{});
   for (std::size_t i = 0; i < kPlaces.size(); ++i) {
     const auto [study, setup] = input.times(1 + kPlaces[i] * kStep);
-    const auto moved = beam::kinks(support_motion(study, setup.pulse_duration));
+    const auto moved = beam::kinks(motion_of(study, setup, direction));
     if (moved.size() != kinks.size()) return {};
     const double weight = kStencil[i] / (kStep * input.value);
     for (std::size_t k = 0; k < kinks.size(); ++k) {
@@ -251,11 +263,12 @@ class Response {
 
 }  // namespace
 
-SensitivityResult beam_sensitivities(const Configuration& study, const VibrationCase& setup) {
+SensitivityResult beam_sensitivities(const Configuration& study, const VibrationCase& setup,
+                                     Direction direction) {
   if (setup.angular_frequency > 0)
     throw std::invalid_argument("sensitivities are taken of pulses, not of a sine");
-  const beam::BeamSystem system = beam_of(study, setup);
-  const beam::SupportMotion motion = support_motion(study, setup.pulse_duration);
+  const beam::BeamSystem system = beam_of(study, setup, direction);
+  const beam::SupportMotion motion = motion_of(study, setup, direction);
   const beam::Sampling sampling = sampling_from(study, "time");
   const std::vector<Complex> points = beam::transform_points(sampling);
 
@@ -265,7 +278,7 @@ SensitivityResult beam_sensitivities(const Configuration& study, const Vibration
   std::vector<std::vector<std::pair<beam::Kink, beam::Kink>>> kinks;
   for (const Input& input : inputs_of(study, setup)) {
     if (input.moves_support) {
-      const auto moving = moving_kinks(input, motion);
+      const auto moving = moving_kinks(input, direction, motion);
       const bool acts = std::any_of(moving.begin(), moving.end(), [](const auto& kink) {
         return kink.second.time != 0 || kink.second.velocity_jump != 0;
       });
@@ -275,7 +288,7 @@ SensitivityResult beam_sensitivities(const Configuration& study, const Vibration
       of_pulse.push_back(input);
       continue;
     }
-    auto stencil = stencil_of(input, system);
+    auto stencil = stencil_of(input, direction, system);
     if (!stencil) {
       result.without.push_back(input.key);
     } else if (changes(*stencil)) {
@@ -316,9 +329,10 @@ SensitivityResult beam_sensitivities(const Configuration& study, const Vibration
   return result;
 }
 
-SensitivityResult beam_response(const Configuration& study, const VibrationCase& setup) {
-  const beam::BeamSystem system = beam_of(study, setup);
-  const beam::SupportMotion motion = support_motion(study, setup.pulse_duration);
+SensitivityResult beam_response(const Configuration& study, const VibrationCase& setup,
+                                Direction direction) {
+  const beam::BeamSystem system = beam_of(study, setup, direction);
+  const beam::SupportMotion motion = motion_of(study, setup, direction);
   const beam::Sampling sampling = sampling_from(study, "time");
   const std::vector<Complex> points = beam::transform_points(sampling);
   std::vector<Complex> tip = beam::TransferFunction(system).at(points);

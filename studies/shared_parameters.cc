@@ -44,14 +44,6 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
           "(5.5) overestimate the "
           "amplitude "
           "of the mercury-filled tip after 60 us by a third; eighty are good to 1 % of the peak.");
-  schema.number(section + ".axial_fill_share", 1)
-      .in("[0, 1]")
-      .doc(
-          "Share of the fluid's mass that follows the wall when the pipette moves along itself: 1 "
-          "where the viscous layer fills the bore, the upper bound, 0 where the fluid stays "
-          "behind. "
-          "Counts where pulse.angle is not 90 deg, for dense fills: mercury at 1 raises the axial "
-          "amplitude after 60 us from 1.02 to 1.13 of the support's.");
   schema.quantity(section + ".rayleigh_alpha", "1/s", "0 1/s")
       .in("[0, 1e9]")
       .doc("Mass-proportional Rayleigh damping; the source has none.");
@@ -85,6 +77,21 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
           "the diameters must be those of [pipette].");
 }
 
+namespace {
+
+void declare_viscosity(Schema& schema, const std::string& key) {
+  schema.quantity(key, "Pa s", "auto")
+      .in("(0, 1e6]")
+      .or_auto()
+      .doc(
+          "Shear viscosity of the fluid: how well it follows the wall when the pipette moves along "
+          "itself. Counts where pulse.angle is not 90 deg; across the pipette a fluid moves as the "
+          "wall does. \"auto\" is that of the named fluid at 25 degrees Celsius, for one given by "
+          "density that of water.");
+}
+
+}  // namespace
+
 void declare_columns(Schema& schema) {
   schema.list(
       "column",
@@ -95,6 +102,7 @@ void declare_columns(Schema& schema) {
       .in("[0, 30000]")
       .or_named(fill_fluids())
       .doc("The fluid, by name or by density.");
+  declare_viscosity(schema, "column.viscosity");
   schema.quantity("column.start", "m", "0 mm").in("[0, 1]").doc("Where it begins, from the tip.");
   schema.quantity("column.end", "m", "auto")
       .in("(0, 1]")
@@ -103,6 +111,7 @@ void declare_columns(Schema& schema) {
 }
 
 void declare_fill_place(Schema& schema) {
+  declare_viscosity(schema, "fill.viscosity");
   schema.quantity("fill.start", "m", "0 mm")
       .in("[0, 1]")
       .doc(
@@ -222,7 +231,10 @@ void declare_beam_integration(Schema& schema, const std::string& section,
       .doc(
           "Newmark with average acceleration (as the source), SUNDIALS ARKODE with error control, "
           "modal superposition, which is exact in time for pulses with straight pieces, or the "
-          "inverse transform of the response to every frequency, which is exact for a bath, too.");
+          "inverse transform of the response to every frequency, which is exact for a bath, too. "
+          "It "
+          "also takes the place of modal superposition for the motion along a filled pipette, "
+          "whose fluid lags differently at every frequency, unless bath.model is \"per_mode\".");
   schema.number(section + ".relative_tolerance", 1e-6)
       .in("(0, 1)")
       .doc("Relative error per step that arkode allows; the others ignore it.");

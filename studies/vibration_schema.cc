@@ -11,9 +11,6 @@ void check_direction(const Configuration& study, const Complain& complain) {
     complain("pulse.angle",
              "a simply supported beam is moved across itself; needs \"90 deg\", or "
              "pipette.supports = \"clamped\"");
-  if (study.boolean("output.sensitivities"))
-    complain("output.sensitivities",
-             "are those of a motion across the pipette; needs pulse.angle = \"90 deg\"");
 }
 
 }  // namespace

@@ -32,21 +32,20 @@ constexpr Eigen::Index kReportedFrequencies = 10;
 struct FilledPipette {
   beam::BeamSystem system;
   beam::Integrator integrator;
-  std::vector<double> natural_frequencies;
-  std::vector<double> damping_ratios;
+  std::vector<double> natural_frequencies{};
+  std::vector<double> damping_ratios{};
   /// At beam::transform_points; empty but for the integrator "transform".
   std::vector<std::complex<double>> transfer{};
   /// Only where the support moves along the pipette, too.
   std::optional<beam::BeamSystem> rod{};
 };
 
-FilledPipette fill_pipette(const Configuration& study, double density) {
-  const beam::Pipette pipette = pipette_from(study, "pipette", density);
+FilledPipette fill_pipette(const Configuration& study, const beam::Fluid& fluid) {
+  const beam::Pipette pipette = pipette_from(study, "pipette", fluid);
   const bool is_pinned = study.choice("pipette.supports") == "pinned";
-  FilledPipette filled{is_pinned ? beam::simply_supported(pipette) : beam::cantilever(pipette),
-                       integrator_from(study, "time", pipette),
-                       {},
-                       {}};
+  FilledPipette filled;
+  filled.system = is_pinned ? beam::simply_supported(pipette) : beam::cantilever(pipette);
+  filled.integrator = integrator_from(study, "time", filled.system);
   const beam::NaturalModes modes = beam::natural_modes(filled.system);
   const Eigen::Index count = std::min(modes.angular_frequency.size(), kReportedFrequencies);
   const beam::ModalOscillators lowest =
@@ -125,19 +124,22 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   result.residual_amplitude = residual_amplitude(history);
   result.warnings = bath_warnings(study, "pipette", history);
   if (pipette.rod)
-    result.axial = axial_result(
-        integrate(*pipette.rod, beam::scaled(support, part.along), sampling, pipette.integrator),
-        peak);
-  if (study.boolean("output.sensitivities"))
-    result.sensitivities = beam_sensitivities(study, setup);
+    result.axial = axial_result(integrate(*pipette.rod, beam::scaled(support, part.along), sampling,
+                                          integrator_from(study, "time", *pipette.rod)),
+                                peak);
+  if (study.boolean("output.sensitivities")) {
+    if (part.across != 0) result.sensitivities = beam_sensitivities(study, setup);
+    if (part.along != 0)
+      result.axial_sensitivities = beam_sensitivities(study, setup, Direction::along);
+  }
   if (!study.boolean("output.history")) result.history = {};
   return result;
 }
 
 nlohmann::json to_json(const VibrationResult& result) {
   nlohmann::json json = {
-      {"fluid", result.setup.fluid},
-      {"fluid_density", result.setup.fluid_density},
+      {"fluid", result.setup.fluid.name},
+      {"fluid_density", result.setup.fluid.density},
       {"pulse_duration", result.setup.pulse_duration},
       {"angular_frequency", result.setup.angular_frequency},
       {"amplitude_ratio", result.amplitude_ratio},
@@ -162,6 +164,8 @@ nlohmann::json to_json(const VibrationResult& result) {
     json["axial_time_of_peak"] = result.axial->time_of_peak;
   }
   if (result.sensitivities) json["sensitivities"] = to_json(*result.sensitivities);
+  if (result.axial_sensitivities)
+    json["axial_sensitivities"] = to_json(*result.axial_sensitivities);
   return json;
 }
 
@@ -169,7 +173,7 @@ void write_history(const RunDirectory& directory, const std::vector<VibrationRes
   std::vector<Column> columns = {{"time", "s"}};
   for (const VibrationResult& result : results)
     columns.push_back(
-        {fmt::format("tip {} {}", result.setup.fluid, result.setup.pulse_label()), "m"});
+        {fmt::format("tip {} {}", result.setup.fluid.name, result.setup.pulse_label()), "m"});
   HistoryFile file(directory.file("history.csv"), columns);
   const std::size_t samples = results.empty() ? 0 : results.front().history.time.size();
   std::vector<double> row(columns.size());
@@ -194,8 +198,8 @@ void write_amplitudes(const RunDirectory& directory, const std::vector<Vibration
                                                       {"ring_down", "s"},
                                                       {"residual_amplitude", "m"}});
   for (const VibrationResult& r : results) {
-    file.add(r.setup.fluid,
-             {r.setup.fluid_density, r.setup.pulse_duration, r.setup.angular_frequency,
+    file.add(r.setup.fluid.name,
+             {r.setup.fluid.density, r.setup.pulse_duration, r.setup.angular_frequency,
               r.amplitude_ratio, r.peak_displacement, r.time_of_peak, r.peak_velocity,
               r.time_of_peak_velocity, r.ring_down, r.residual_amplitude});
   }
@@ -209,16 +213,19 @@ void write_sensitivities(const RunDirectory& directory,
                                                          {"amplitude_elasticity", ""},
                                                          {"peak_velocity_elasticity", ""},
                                                          {"ring_down_elasticity", ""}});
+  const auto add = [&](const std::string& label, const std::optional<SensitivityResult>& s) {
+    if (!s) return;
+    for (const InputSensitivity& input : s->inputs)
+      file.add(label + "; " + input.key, {input.value, input.amplitude * input.value / s->amplitude,
+                                          input.peak_velocity * input.value / s->peak_velocity,
+                                          input.ring_down && s->ring_down && *s->ring_down != 0
+                                              ? *input.ring_down * input.value / *s->ring_down
+                                              : std::nan("")});
+  };
   for (const VibrationResult& r : results) {
-    if (!r.sensitivities) continue;
-    const SensitivityResult& s = *r.sensitivities;
-    for (const InputSensitivity& input : s.inputs)
-      file.add(r.setup.fluid + "; " + r.setup.pulse_label() + "; " + input.key,
-               {input.value, input.amplitude * input.value / s.amplitude,
-                input.peak_velocity * input.value / s.peak_velocity,
-                input.ring_down && s.ring_down && *s.ring_down != 0
-                    ? *input.ring_down * input.value / *s.ring_down
-                    : std::nan("")});
+    const std::string label = r.setup.fluid.name + "; " + r.setup.pulse_label();
+    add(label, r.sensitivities);
+    add(label + " along", r.axial_sensitivities);
   }
 }
 
@@ -236,30 +243,28 @@ std::string VibrationCase::pulse_label() const {
 }
 
 std::vector<VibrationCase> vibration_cases(const Configuration& study) {
-  const std::vector<double> densities = study.quantities("fill.fluids");
-  const std::vector<std::string> names = study.texts("fill.fluids");
   const std::string& shape = study.choice("pulse.shape");
   const bool is_sine = shape == "sine";
   const char* key = is_sine ? "pulse.angular_frequencies" : "pulse.durations";
   const auto pulses = shape == "trace" ? std::vector<double>{0} : study.quantities(key);
   std::vector<VibrationCase> cases;
-  for (std::size_t fluid = 0; fluid < densities.size(); ++fluid)
+  for (const beam::Fluid& fluid : fills_of(study))
     for (const double pulse : pulses)
-      cases.push_back({names[fluid], densities[fluid], is_sine ? 0 : pulse, is_sine ? pulse : 0});
+      cases.push_back({fluid, is_sine ? 0 : pulse, is_sine ? pulse : 0});
   return cases;
 }
 
 std::vector<VibrationResult> compute_vibration(const Configuration& study, Session& session) {
   const std::vector<VibrationCase> cases = vibration_cases(study);
-  const std::vector<double> densities = study.quantities("fill.fluids");
-  std::vector<FilledPipette> pipettes(densities.size());
-  pipettes.front() = fill_pipette(study, densities.front());  // loads deal.II, once
-  std::vector<std::exception_ptr> refusals(densities.size());
+  const std::vector<beam::Fluid> fills = fills_of(study);
+  std::vector<FilledPipette> pipettes(fills.size());
+  pipettes.front() = fill_pipette(study, fills.front());  // loads deal.II, once
+  std::vector<std::exception_ptr> refusals(fills.size());
 #pragma omp parallel for schedule(dynamic) num_threads(session.threads)
-  for (std::size_t i = 1; i < densities.size(); ++i) {
+  for (std::size_t i = 1; i < fills.size(); ++i) {
     if (Interrupt::requested()) continue;
     try {
-      pipettes[i] = fill_pipette(study, densities[i]);
+      pipettes[i] = fill_pipette(study, fills[i]);
     } catch (...) {
       refusals[i] = std::current_exception();
     }
@@ -282,7 +287,7 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
       failures[i] = std::current_exception();
     }
 #pragma omp critical(zona_vibration_progress)
-    session.progress.update(++done, 0, cases[i].fluid + ", " + cases[i].pulse_label());
+    session.progress.update(++done, 0, cases[i].fluid.name + ", " + cases[i].pulse_label());
   }
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);
@@ -297,7 +302,7 @@ std::string amplitude_table(const std::vector<VibrationResult>& results) {
   std::vector<std::string> fluids;
   std::vector<std::string> pulses;
   for (const VibrationResult& result : results) {
-    add_once(fluids, result.setup.fluid);
+    add_once(fluids, result.setup.fluid.name);
     add_once(pulses, result.setup.pulse_label());
   }
   std::string table = fmt::format("{:<16}", "amplitude ratio");
@@ -306,7 +311,7 @@ std::string amplitude_table(const std::vector<VibrationResult>& results) {
     table += fmt::format("\n{:<16}", fluid);
     for (const std::string& pulse : pulses) {
       const auto cell = std::find_if(results.begin(), results.end(), [&](const auto& result) {
-        return result.setup.fluid == fluid && result.setup.pulse_label() == pulse;
+        return result.setup.fluid.name == fluid && result.setup.pulse_label() == pulse;
       });
       table += cell == results.end() ? fmt::format(" {:>12}", "-")
                                      : fmt::format(" {:>12.4f}", cell->amplitude_ratio);
@@ -329,7 +334,7 @@ std::string warnings_of(const std::vector<VibrationResult>& results) {
   if (worst == nullptr) return "";
   std::string text =
       fmt::format("\n{} of {} runs leave the range of the bath's load; {}, {}:\n", count,
-                  results.size(), worst->setup.fluid, worst->setup.pulse_label());
+                  results.size(), worst->setup.fluid.name, worst->setup.pulse_label());
   for (const std::string& warning : worst->warnings) text += "- " + warning + "\n";
   return text;
 }
@@ -337,7 +342,7 @@ std::string warnings_of(const std::vector<VibrationResult>& results) {
 }  // namespace
 
 Job prepare_vibration(const Configuration& study) {
-  for (double density : study.quantities("fill.fluids")) pipette_from(study, "pipette", density);
+  for (const beam::Fluid& fluid : fills_of(study)) pipette_from(study, "pipette", fluid);
   for (const VibrationCase& setup : vibration_cases(study)) motion_of(setup, study);
   return [study, keep_history = study.boolean("output.history")](Session& session) {
     const std::vector<VibrationResult> results = compute_vibration(study, session);
@@ -365,9 +370,9 @@ std::string try_vibration(const Configuration& study, int threads) {
   using Clock = std::chrono::steady_clock;
   const auto cases = vibration_cases(study);
   const auto begin = Clock::now();
-  fill_pipette(study, cases.front().fluid_density);  // loads deal.II, once
+  fill_pipette(study, cases.front().fluid);  // loads deal.II, once
   const auto start = Clock::now();
-  const FilledPipette pipette = fill_pipette(study, cases.front().fluid_density);
+  const FilledPipette pipette = fill_pipette(study, cases.front().fluid);
   const auto filled = Clock::now();
   compute_case(cases.front(), pipette, sampling_from(study, "time"), study);
   const std::chrono::duration<double> load = start - begin, fill = filled - start,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "beam/fluid.h"
 #include "beam/tip_history.h"
 #include "studies/configuration.h"
 #include "studies/study_kinds.h"
@@ -12,8 +13,7 @@ namespace zona::studies {
 
 /// One fluid and one pulse of a vibration study.
 struct VibrationCase {
-  std::string fluid;             ///< as written in the study: "mercury", "2500 kg/m^3"
-  double fluid_density = 0;      ///< [kg/m^3]
+  beam::Fluid fluid;             ///< its name as written in the study: "mercury", "2500 kg/m^3"
   double pulse_duration = 0;     ///< of a pulse [s]; 0 for a sine and a trace
   double angular_frequency = 0;  ///< of a sine [rad/s]
 
@@ -66,8 +66,9 @@ struct VibrationResult {
   double ring_down = 0;
   double residual_amplitude = 0;  ///< greatest displacement in the last tenth of the run [m]
   double gain_uncertainty = 0;    ///< relative, of displacements and velocities; 0: none is known
-  std::optional<SensitivityResult> sensitivities;  ///< where they are wanted
-  std::vector<std::string> warnings;               ///< where the bath's linear load does not hold
+  std::optional<SensitivityResult> sensitivities;        ///< where they are wanted
+  std::optional<SensitivityResult> axial_sensitivities;  ///< of the motion along the pipette
+  std::vector<std::string> warnings;  ///< where the bath's linear load does not hold
   /// Of the motion along the pipette, where the pulse is not at a right angle to it.
   std::optional<AxialResult> axial;
   beam::TipHistory history;  ///< empty when it is not to be kept

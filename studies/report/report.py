@@ -214,20 +214,21 @@ def vibration_part(page, results):
 
 
 def sensitivities(page, results):
-    """A tornado chart per fill, of the first pulse that has one."""
+    """A tornado chart per fill, of the first pulse that has one, across and along the pipette."""
     shown = {}
     for result in results:
-        if "sensitivities" in result:
-            shown.setdefault(result["fluid"], result)
+        for key, motion in (("sensitivities", "tip's amplitude"),
+                            ("axial_sensitivities", "tip's amplitude along the pipette")):
+            if key in result:
+                shown.setdefault((result["fluid"], motion), result[key])
     if not shown:
         return
     page.heading("What the amplitude depends on")
-    for index, (fluid, result) in enumerate(list(shown.items())[:6]):
-        found = result["sensitivities"]
+    for index, ((fluid, motion), found) in enumerate(list(shown.items())[:8]):
         rows = [(entry["key"], 10 * entry["amplitude"] * entry["value"] / found["amplitude"])
                 for entry in found["inputs"]]
         rows = [row for row in rows if abs(row[1]) > 0.005][:16]
-        page.charts([Tornado(f"sensitivity_{index + 1}", f"{fluid}: change of the tip's amplitude for 10 % more of each "
+        page.charts([Tornado(f"sensitivity_{index + 1}", f"{fluid}: change of the {motion} for 10 % more of each "
                              "input, to first order.", "change of the amplitude [%]", rows)])
 
 

@@ -14,6 +14,7 @@
 
 #include "mpm/atomic_file.h"
 #include "mpm/errors.h"
+#include "studies/beam_parameters.h"
 #include "studies/file_lock.h"
 #include "studies/interrupt.h"
 #include "studies/piercing_run.h"
@@ -90,8 +91,7 @@ CaseStore::State CaseStore::compute(const Configuration& piercing, int threads, 
   if (!fs::exists(folder / "study.toml"))
     mpm::replace_file((folder / "study.toml").string(), resolved_study(piercing));
 
-  const PiercingCase setup =
-      make_piercing_case(piercing, piercing.text("fill.fluid"), piercing.quantity("fill.fluid"));
+  const PiercingCase setup = make_piercing_case(piercing, fills_of(piercing).front());
   OutputPlan plan = output_plan(piercing, setup.end);
   plan.fields = false;
   const auto log = session.directory.log_of(folder.filename().string());

@@ -10,9 +10,9 @@
 #include "beam/transfer_function.h"
 #include "studies/beam_parameters.h"
 #include "studies/interrupt.h"
-#include "studies/piercing_case.h"
 #include "studies/progress.h"
 #include "studies/search/pareto.h"
+#include "studies/shared_parameters.h"
 
 namespace zona::studies::search {
 
@@ -211,44 +211,62 @@ TipMeter::TipMeter(const Plan& plan, Settings common) : plan_(plan), common_(std
   reference_window_ = std::move(reference.window);
 }
 
-beam::TipHistory TipMeter::history(const Configuration& study, const std::string& pipette) {
-  const double density = study.quantity("fill.fluid");
-  if (study.choice("beam.integrator") != "transform") return beam_tip_history(study, density);
-  const beam::Sampling sampling = sampling_from(study, "beam");
-  if (transfer_.empty() || pipette != last_pipette_) {
-    const beam::BeamSystem system = beam::cantilever(pipette_from(study, "beam", density));
-    transfer_ = beam::TransferFunction(system).at(beam::transform_points(sampling));
+TipHistories TipMeter::histories(const Configuration& study, const std::string& pipette) {
+  const beam::Fluid fluid = fills_of(study).front();
+  if (study.choice("beam.integrator") != "transform") return beam_tip_histories(study, fluid);
+  if (pipette != last_pipette_) {
+    lateral_transfer_.clear();
+    axial_transfer_.clear();
     last_pipette_ = pipette;
   }
-  return beam::history_by_transform(
-      transfer_, support_motion(study, study.quantity("pulse.duration")), sampling);
+  const beam::Sampling sampling = sampling_from(study, "beam");
+  const beam::SupportMotion pulse = support_motion(study, study.quantity("pulse.duration"));
+  const auto history = [&](std::vector<std::complex<double>>& transfer, auto&& make_system,
+                           double part) -> std::optional<beam::TipHistory> {
+    if (part == 0) return std::nullopt;
+    if (transfer.empty())
+      transfer = beam::TransferFunction(make_system(pipette_from(study, "beam", fluid)))
+                     .at(beam::transform_points(sampling));
+    return beam::history_by_transform(transfer, part == 1 ? pulse : beam::scaled(pulse, part),
+                                      sampling);
+  };
+  const PulseDirection part = pulse_direction(study);
+  return {history(lateral_transfer_, beam::cantilever, part.across),
+          history(axial_transfer_, beam::axial_rod, part.along)};
 }
 
 TipMeter::Response TipMeter::response(const Settings& settings) {
   Settings all = common_;
   all.insert(all.end(), settings.begin(), settings.end());
   const Configuration study = plan_.study(all);
-  const beam::TipHistory tip = history(study, pipette_part(all));
+  const TipHistories tip = histories(study, pipette_part(all));
   const coupling::TipMotion motion = tip_motion(study, tip);
   if (window_length_ == 0) window_length_ = motion.length();
   Response response;
   double travel = 0;
   for (int i = 0; i <= kWindowSamples; ++i) {
     const double time = std::min(window_length_ * i / kWindowSamples, motion.length());
-    response.window.push_back(motion(time).displacement.dot(motion.axis()));
-    travel = std::max(travel, std::abs(response.window.back()));
+    response.window.push_back(motion(time).displacement);
+    travel = std::max(travel, response.window.back().norm());
   }
-  double residual = 0;
-  for (std::size_t i = 0; i < tip.time.size(); ++i)
-    if (tip.time[i] > motion.start() + motion.length())
-      residual = std::max(residual, std::abs(tip.displacement[i]));
-  response.values = {
-      {"tip_amplitude", std::abs(tip.displacement[beam::index_of_peak(tip.displacement)])},
-      {"tip_travel", travel},
-      {"peak_velocity", std::abs(tip.velocity[beam::index_of_peak(tip.velocity)])},
-      {"residual_motion", residual},
-      {"support_peak",
-       beam::peak_displacement(support_motion(study, study.quantity("pulse.duration")))}};
+  const std::vector<double>& times = (tip.lateral ? tip.lateral : tip.axial)->time;
+  double amplitude = 0, speed = 0, residual = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto size = [&](std::vector<double> beam::TipHistory::*values) {
+      return std::hypot(tip.lateral ? ((*tip.lateral).*values)[i] : 0,
+                        tip.axial ? ((*tip.axial).*values)[i] : 0);
+    };
+    const double here = size(&beam::TipHistory::displacement);
+    amplitude = std::max(amplitude, here);
+    speed = std::max(speed, size(&beam::TipHistory::velocity));
+    if (times[i] > motion.start() + motion.length()) residual = std::max(residual, here);
+  }
+  response.values = {{"tip_amplitude", amplitude},
+                     {"tip_travel", travel},
+                     {"peak_velocity", speed},
+                     {"residual_motion", residual},
+                     {"support_peak", beam::peak_displacement(support_motion(
+                                          study, study.quantity("pulse.duration")))}};
   return response;
 }
 
@@ -257,8 +275,8 @@ std::optional<Values> TipMeter::measure(const Settings& settings) {
     Response design = response(settings);
     double difference = 0, size = 0;
     for (int i = 0; i <= kWindowSamples; ++i) {
-      difference += std::pow(design.window[i] - reference_window_[i], 2);
-      size += std::pow(reference_window_[i], 2);
+      difference += (design.window[i] - reference_window_[i]).squaredNorm();
+      size += reference_window_[i].squaredNorm();
     }
     design.values["mismatch"] = std::sqrt(difference / size);
     return design.values;

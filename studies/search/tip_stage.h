@@ -1,13 +1,13 @@
 #pragma once
 
-#include <array>
+#include <Eigen/Core>
 #include <complex>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "beam/tip_history.h"
+#include "studies/piercing_case.h"
 #include "studies/search/plan.h"
 #include "studies/session.h"
 
@@ -30,20 +30,21 @@ class TipMeter {
   /// What the tip does in the window of the piercing, and its measures but the mismatch.
   struct Response {
     Values values;
-    std::vector<double> window;  ///< displacement at even times [m]
+    std::vector<Eigen::Vector3d> window;  ///< displacement at even times [m]
   };
 
   Response response(const Settings& settings);
-  beam::TipHistory history(const Configuration& study, const std::string& pipette);
+  TipHistories histories(const Configuration& study, const std::string& pipette);
 
   const Plan& plan_;
   Settings common_;
   double window_length_ = 0;  ///< of the reference [s]
   Values reference_values_;
-  std::vector<double> reference_window_;
-  /// The last beam's transfer function serves all pulses.
+  std::vector<Eigen::Vector3d> reference_window_;
+  /// The last pipette's transfer functions, across and along it, serve all pulses; empty where they
+  /// have not been needed.
   std::string last_pipette_;
-  std::vector<std::complex<double>> transfer_;
+  std::vector<std::complex<double>> lateral_transfer_, axial_transfer_;
 };
 
 /// One design and what its tip does.

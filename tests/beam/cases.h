@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "beam/beam_system.h"
 #include "beam/exact_cantilever.h"
 #include "beam/fluid.h"
 #include "beam/integrate.h"
@@ -15,6 +16,7 @@ namespace zona::beam::test {
 inline Pipette pipette_with(const std::string& fluid, int elements = 20) {
   Pipette pipette;
   pipette.fill_density = named_fluid(fluid).density;
+  pipette.fill_viscosity = named_fluid(fluid).viscosity;
   pipette.elements = elements;
   return pipette;
 }
@@ -37,6 +39,25 @@ inline double greatest_difference(const std::vector<double>& a, const std::vecto
   double greatest = a.size() == b.size() ? 0 : INFINITY;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
     greatest = std::max(greatest, std::abs(a[i] - b[i]));
+  return greatest;
+}
+
+/// Relative error of viscous loads that are interpolated between radii, where none is a node.
+inline double interpolation_error(const std::vector<ViscousLoad>& loads) {
+  double greatest = 0;
+  for (double radius = loads.front().radius; radius < loads.back().radius; radius *= 1.1)
+    for (double omega = 100; omega < 1e7; omega *= 3) {
+      std::complex<double> sum = 0;
+      for (const ViscousLoad& load : loads) {
+        double share = 1;
+        for (const ViscousLoad& other : loads)
+          if (&other != &load)
+            share *= std::log(radius / other.radius) / std::log(load.radius / other.radius);
+        sum += share * viscous_load(load.flow, load.liquid, load.radius, {0, omega});
+      }
+      const auto exact = viscous_load(loads.front().flow, loads.front().liquid, radius, {0, omega});
+      greatest = std::max(greatest, std::abs(sum / exact - 1.));
+    }
   return greatest;
 }
 

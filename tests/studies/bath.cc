@@ -51,7 +51,7 @@ immersed_length = "3 mm"
 integrator = "transform"
 )");
   const Configuration study = load_configuration(file, {});
-  const zona::beam::Pipette pipette = pipette_from(study, "pipette", 13600);
+  const zona::beam::Pipette pipette = pipette_from(study, "pipette", fills_of(study).back());
   const zona::beam::Diameters shoulder = diameters_at(pipette, 0);
   CHECK(shoulder.outer == Approx(40e-6));
   CHECK(shoulder.inner == Approx(32e-6));  // keeps the ratio of the tip
@@ -60,8 +60,10 @@ integrator = "transform"
   CHECK(pipette.columns[0].start == 2e-3);
   CHECK(pipette.columns[0].end == 10e-3);
   CHECK(pipette.columns[0].density == 13600);
+  CHECK(pipette.columns[0].viscosity == 1.526e-3);
   CHECK(pipette.columns[1].end == 1e-3);
   CHECK(pipette.columns[1].density == 1000);
+  CHECK(pipette.columns[1].viscosity == 8.9e-4);
   CHECK(pipette.loss_factor == 0.01);
   CHECK(pipette.bath.model == zona::beam::BathModel::frequency);
   CHECK(pipette.bath.liquid.viscosity == Approx(1e-3));
@@ -74,7 +76,7 @@ TEST_CASE("a profile of diameters is read from a table with units") {
                 "# measured\ndistance [mm], inner [um], outer [um]\n0, 8, 10\n\n2.5, 16, 20\n");
   const auto file = scratch.write("s.toml", kVibration + "[pipette]\nprofile = \"profile.csv\"\n");
   const Configuration study = load_configuration(file, {});
-  const zona::beam::Pipette pipette = pipette_from(study, "pipette", 1000);
+  const zona::beam::Pipette pipette = pipette_from(study, "pipette", fills_of(study).back());
   REQUIRE(pipette.profile.size() == 2);
   CHECK(pipette.profile[1].from_tip == Approx(2.5e-3));
   CHECK(pipette.profile[1].outer == Approx(20e-6));

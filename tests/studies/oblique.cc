@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coupling/tip_trace.h"
+#include "studies/beam_parameters.h"
 #include "studies/piercing_case.h"
 #include "tests/studies/call.h"
 #include "tests/studies/study_files.h"
@@ -38,7 +39,7 @@ PiercingCase piercing_at(const std::string& angle) {
   const ScratchDirectory scratch;
   const auto study =
       load_configuration(scratch.write("s.toml", kPiercing), {"pulse.angle=\"" + angle + "\""});
-  return make_piercing_case(study, "mercury", 13600);
+  return make_piercing_case(study, fills_of(study).front());
 }
 
 nlohmann::json vibration_at(const std::string& angle, const std::string& more = "") {
@@ -79,7 +80,7 @@ TEST_CASE("a piercing after an oblique pulse moves both ways, at a right angle a
   CHECK_FALSE(lateral.axial_tip_history.has_value());
   CHECK_FALSE(axial.axial_tip_history.has_value());
   REQUIRE(oblique.axial_tip_history.has_value());
-  CHECK(oblique.window_start == axial.window_start);
+  CHECK(oblique.window_start == Approx(axial.window_start).epsilon(1e-3));
   CHECK(lateral.window_start > 50e-6);
   const auto across = lateral.setup.pipette.motion(1e-6).displacement;
   CHECK((across.x() == 0 && across.y() != 0 && across.z() == 0));
@@ -119,7 +120,6 @@ TEST_CASE("an angle that a vibration study cannot take is refused") {
   };
   const std::string oblique = " --set 'pulse.angle=\"45 deg\"'";
   refused(oblique + " --set 'pipette.supports=\"pinned\"'", "moved across itself");
-  refused(oblique + " --set output.sensitivities=true", "needs pulse.angle = \"90 deg\"");
   refused(" --set 'pulse.angle=\"-1 deg\"'", "pulse.angle");
-  refused(" --set pipette.axial_fill_share=-0.1", "pipette.axial_fill_share");
+  refused(" --set 'fill.viscosity=\"0 Pa s\"'", "fill.viscosity");
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coupling/tip_trace.h"
+#include "studies/beam_parameters.h"
 #include "studies/piercing_case.h"
 #include "studies/piercing_values.h"
 #include "tests/studies/call.h"
@@ -146,7 +147,7 @@ TEST_CASE("a measured trace drives the pipette") {
                                            "motion.scale=2", "motion.window_start=\"2 us\"",
                                            "time.end=\"3 us\""};
   const auto study = load_configuration(file, overrides);
-  const auto piercing = make_piercing_case(study, "mercury", 13600);
+  const auto piercing = make_piercing_case(study, fills_of(study).front());
   // Between samples of (t - 1 us)^2 the Hermite cubic with second-order slopes is exact.
   const auto at = piercing.setup.pipette.motion(1.5e-6);
   CHECK(at.displacement.y() == Approx(2 * 0.1e-6 * (2.5 * 2.5 - 1)));

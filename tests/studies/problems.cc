@@ -118,7 +118,7 @@ TEST_CASE("cross-checks state their numbers") {
                  Contains("pulse.angle = \"0 deg\""));
   CHECK_THAT(piercing("pulse.angle = \"91 deg\""), Contains("s.toml:2: pulse.angle"));
   CHECK_THAT(piercing("pulse.angle = \"1 um\""), Contains("s.toml:2: pulse.angle"));
-  CHECK_THAT(piercing("beam.axial_fill_share = 1.1"), Contains("s.toml:2: beam.axial_fill_share"));
+  CHECK_THAT(piercing("fill.viscosity = \"-1 Pa s\""), Contains("s.toml:2: fill.viscosity"));
   CHECK_THAT(piercing("time.step = \"1 ms\""), Contains("do not fit a simulation of 100 us"));
   CHECK_THAT(piercing("motion.ramp = \"1 ms\""), Contains("longer than the simulation"));
 }
