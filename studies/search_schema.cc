@@ -56,6 +56,13 @@ void declare_search_section(Schema& schema) {
   schema.integer("search.candidates", 12)
       .in("[1, 10000]")
       .doc("Designs that pierce: of each combination of listed values its Pareto front, spread.");
+  schema.integer("search.refinements", 0)
+      .in("[0, 10000]")
+      .doc(
+          "Piercings that a second optimiser (NLopt's COBYLA) may then try from the best candidate "
+          "of each combination, up to as many as there are finalists, over the ranges. It makes "
+          "the worst of the objectives small, each over that of the reference; what it finds "
+          "becomes a candidate. 0 leaves it out.");
   schema.integer("search.finalists", 12)
       .in("[1, 10000]")
       .auto_by_default()

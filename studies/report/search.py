@@ -58,6 +58,7 @@ def search_part(page, study):
     answer(page, search)
     bath_warnings(page, search)
     beams(page, search)
+    refinement(page, search)
     piercings(page, search)
     uncertainty(page, search)
     known(page, search)
@@ -113,7 +114,7 @@ def beams(page, search):
     page.heading("Designs by their beams")
     page.parts.append(f"<p>{search.results['beams']['designs']} designs, {search.results['beams']['seconds']:.0f} s; "
                       f"{search.results['beams']['impossible']} were impossible. The best of every combination went on to "
-                      f"{len(search.results['candidates'])} piercings.</p>")
+                      "piercings.</p>")
     x, y = names[0], names[1] if len(names) > 1 else "tip_travel"
     words = np.array(designs.first_cells)
     lines = [(word, designs[x][words == word] * search.factor(x), designs[y][words == word] * search.factor(y))
@@ -151,6 +152,22 @@ def piercings(page, search):
     if lines:
         page.charts([Chart("tips", "The tip after the pulse: the reference and the first of the ranking.", "time [µs]",
                            "displacement [µm]", lines)])
+
+
+def refinement(page, search):
+    """What the second optimiser tried, way by way."""
+    path = search.study.directory / "trials.csv"
+    if not path.is_file():
+        return
+    trials = Table(path)
+    ways = [np.flatnonzero(trials["way"] == way) for way in np.unique(trials["way"])]
+    lines = [(f"{int(trials['way'][rows[0]])}: {trials.first_cells[rows[0]]}",
+              np.arange(1, len(rows) + 1), np.minimum.accumulate(trials["cost"][rows])) for rows in ways]
+    page.heading("Refinement")
+    page.parts.append(f"<p>From the best candidates of {len(ways)} combinations an optimiser tried {len(trials)} piercings; "
+                      "where it found something better, that is a candidate, too, called refined.</p>")
+    page.charts([Chart("refinement", "The least cost so far: the worst objective over that of the reference, and a "
+                       "penalty where limits are left.", "piercing", "cost", lines, markers=True)])
 
 
 def uncertainty(page, search):
@@ -226,8 +243,11 @@ def known(page, search):
                      "which holds the beam, the drive and the liquid against nature at once.")
     page.parts.append("<ul>" + "".join(f"<li>{item}</li>" for item in items) + "</ul>")
     titles = " and ".join(search.measures[name]["title"] for name in search.results["tip_objectives"])
-    page.parts.append(f"<p>{len(search.results['candidates'])} candidates were chosen by the {escaped(titles)} of their beams; "
-                      "what none of them tries, this search does not know.</p>")
+    trials = search.results["trials"]
+    chosen = sum(not entry["label"].endswith(" refined") for entry in search.results["candidates"])
+    refined = f" and the {trials} piercings of the optimiser" if trials else ""
+    page.parts.append(f"<p>{chosen} candidates were chosen by the {escaped(titles)} of their beams; what none of them{refined} "
+                      "tried, this search does not know.</p>")
     reference = search.study.directory / "reference.toml"
     if reference.is_file():
         page.heading("Reference study")

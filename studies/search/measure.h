@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct Measure {
   std::string title;          ///< "failed area"
   std::string documentation;  ///< a sentence
 };
+
+/// Values of measures by name, in SI.
+using Values = std::map<std::string, double>;
 
 const std::vector<Measure>& measures();
 

@@ -129,6 +129,7 @@ Plan plan_from(const Configuration& search) {
       search.integer("search.evaluations"),
       static_cast<int>(search.integer("search.divisions")),
       count("search.candidates"),
+      count("search.refinements"),
       search.is_auto("search.finalists") ? count("search.candidates") : count("search.finalists"),
       count("search.uncertainty_samples"),
       search.number("search.confidence"),

@@ -32,11 +32,12 @@ struct Plan {
   std::vector<const Measure*> tip_objectives;  ///< choose designs by their beams
   std::vector<const Measure*> objectives;      ///< rank the piercings
   std::vector<Limit> limits;
-  std::size_t samples;     ///< designs of the hypercube, per combination of listed values
-  long evaluations;        ///< of the optimiser, per combination and weighting
-  int divisions;           ///< of the simplex of weightings
-  std::size_t candidates;  ///< designs that pierce
-  std::size_t finalists;   ///< of these, that pierce with every sample of the uncertain inputs
+  std::size_t samples;      ///< designs of the hypercube, per combination of listed values
+  long evaluations;         ///< of the optimiser, per combination and weighting
+  int divisions;            ///< of the simplex of weightings
+  std::size_t candidates;   ///< designs that pierce
+  std::size_t refinements;  ///< piercings of the optimiser, for each design that it starts from
+  std::size_t finalists;    ///< of these, that pierce with every sample of the uncertain inputs
   std::size_t uncertainty_samples;
   double confidence;               ///< share of samples in which the limits must hold
   bool derivatives;                ///< by re-runs at the ends of the uncertain inputs

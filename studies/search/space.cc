@@ -182,6 +182,17 @@ std::string key_of(const std::string& setting) {
   return setting.substr(0, setting.find('='));
 }
 
+Settings settings_at(const std::vector<Dimension>& dimensions,
+                     const std::vector<std::size_t>& combination,
+                     const std::vector<double>& place) {
+  Settings settings;
+  std::size_t list = 0, range = 0;
+  for (const Dimension& dimension : dimensions)
+    settings.push_back(dimension.is_list() ? dimension.choose(combination[list++])
+                                           : dimension.at(place[range++]));
+  return settings;
+}
+
 std::string shown_value(const std::string& setting) {
   std::string value = setting.substr(setting.find('=') + 1);
   if (value.size() >= 2 && value.front() == '"') value = value.substr(1, value.size() - 2);

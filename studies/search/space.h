@@ -43,6 +43,10 @@ std::vector<std::vector<double>> latin_hypercube(std::size_t dimensions, std::si
 /// there is no list.
 std::vector<std::vector<std::size_t>> combinations(const std::vector<Dimension>& dimensions);
 
+/// The design of one of these combinations, at a point of the unit cube of the ranges.
+Settings settings_at(const std::vector<Dimension>& dimensions,
+                     const std::vector<std::size_t>& combination, const std::vector<double>& place);
+
 /// The value of a setting for people: "63.2 us" of "pulse.duration=\"63.2 us\"".
 std::string shown_value(const std::string& setting);
 std::string key_of(const std::string& setting);

@@ -11,6 +11,7 @@
 #include "studies/beam_parameters.h"
 #include "studies/interrupt.h"
 #include "studies/progress.h"
+#include "studies/search/merit.h"
 #include "studies/search/pareto.h"
 #include "studies/shared_parameters.h"
 
@@ -20,9 +21,6 @@ namespace {
 
 constexpr int kWindowSamples = 400;
 
-/// Weight of the sum of all objectives beside the worst of them, so that what costs none of the
-/// worst is taken, too (augmented Chebyshev scalarisation, Steuer and Choo 1983).
-constexpr double kAugmentation = 0.01;
 /// Weight of an objective that a weighting leaves out.
 constexpr double kLeastWeight = 0.01;
 /// What leaving a limit by its own size costs, in ranges of an objective.
@@ -46,12 +44,6 @@ std::vector<double> objectives_of(const Plan& plan, const Values& values) {
   std::vector<double> point;
   for (const Measure* measure : plan.tip_objectives) point.push_back(values.at(measure->name));
   return point;
-}
-
-double excess(const std::vector<Limit>& limits, const Values& values) {
-  double sum = 0;
-  for (const Limit& limit : limits) sum += limit.excess(values.at(limit.measure->name));
-  return sum;
 }
 
 /// Of each objective the least value and the range, by which weightings compare them.
@@ -95,16 +87,11 @@ class Explorer {
     for (const auto& weights : simplex_lattice(plan_.tip_objectives.size(), plan_.divisions)) {
       if (Interrupt::requested()) return;
       const auto cost = [&](const Values& values) {
-        const std::vector<double> point = objectives_of(plan_, values);
-        double worst = 0, sum = 0;
-        for (std::size_t k = 0; k < point.size(); ++k) {
-          const double term =
+        std::vector<double> point = objectives_of(plan_, values);
+        for (std::size_t k = 0; k < point.size(); ++k)
+          point[k] =
               std::max(weights[k], kLeastWeight) * (point[k] - scale.least[k]) / scale.range[k];
-          worst = k == 0 ? term : std::max(worst, term);
-          sum += term;
-        }
-        return worst + kAugmentation * sum +
-               kPenalty * excess(plan_.limits_of(Measure::Of::tip), values);
+        return worst_of(point) + kPenalty * excess(plan_.limits_of(Measure::Of::tip), values);
       };
       minimise(cost);
     }
@@ -115,25 +102,15 @@ class Explorer {
   const Values& reference() const { return meter_.reference(); }
 
  private:
-  Settings settings_at(const std::vector<double>& place) const {
-    Settings settings;
-    std::size_t list = 0, range = 0;
-    for (const Dimension& variable : plan_.variables)
-      settings.push_back(variable.is_list() ? variable.choose(choice_[list++])
-                                            : variable.at(place[range++]));
-    return settings;
-  }
-
   /// The measures; nothing for a design that cannot be.
   std::optional<Values> try_design(const std::vector<double>& place) {
-    const Settings settings = settings_at(place);
+    const Settings settings = settings_at(plan_.variables, choice_, place);
     const auto known = tried_.find(settings);
     if (known != tried_.end()) return known->second;
     const std::optional<Values> values = meter_.measure(settings);
     tried_[settings] = values;
     if (values) {
-      designs_.push_back({number_, settings, *values});
-      places_.push_back(place);
+      designs_.push_back({number_, place, settings, *values});
     } else {
       ++impossible_;
     }
@@ -145,7 +122,7 @@ class Explorer {
     std::size_t best = 0;
     for (std::size_t i = 1; i < designs_.size(); ++i)
       if (cost(designs_[i].tip) < cost(designs_[best].tip)) best = i;
-    std::vector<double> place = places_[best];
+    std::vector<double> place = designs_[best].place;
     nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(ranges_));
     const nlopt::vfunc objective = [](const std::vector<double>& x, std::vector<double>&,
                                       void* data) {
@@ -176,7 +153,6 @@ class Explorer {
   std::size_t ranges_ = 0;
   std::map<Settings, std::optional<Values>> tried_;
   std::vector<Design> designs_;
-  std::vector<std::vector<double>> places_;  ///< of the designs, in the unit cube
   std::size_t impossible_ = 0;
 };
 

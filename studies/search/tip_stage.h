@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <complex>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,9 +11,6 @@
 #include "studies/session.h"
 
 namespace zona::studies::search {
-
-/// Values of measures by name, in SI.
-using Values = std::map<std::string, double>;
 
 /// The tip's measures of designs; the reference is the base with the settings common to all. One
 /// object per thread.
@@ -50,6 +46,7 @@ class TipMeter {
 /// One design and what its tip does.
 struct Design {
   std::size_t combination = 0;  ///< of listed values
+  std::vector<double> place;    ///< in the unit cube of the ranges
   Settings settings;
   Values tip;
 };

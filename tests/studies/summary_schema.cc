@@ -78,6 +78,7 @@ study = "reference.toml"
 samples = 4
 evaluations = 2
 candidates = 2
+refinements = 1
 uncertainty_samples = 2
 [[variable]]
 key = "fill.fluid"
