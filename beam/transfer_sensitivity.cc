@@ -53,7 +53,8 @@ differentiate(const ParameterStencil& parameter, const std::array<Factors, 4>& f
 }  // namespace
 
 bool same_factors(const BeamSystem& a, const BeamSystem& b) {
-  return a.loss_factor == b.loss_factor && a.loss_frequency == b.loss_frequency &&
+  return a.loss_factor == b.loss_factor &&
+         (a.loss_factor == 0 || a.loss_frequency == b.loss_frequency) &&
          a.damping_alpha == b.damping_alpha && a.damping_beta == b.damping_beta &&
          std::equal(a.liquids.viscous.begin(), a.liquids.viscous.end(), b.liquids.viscous.begin(),
                     b.liquids.viscous.end(), same_load);

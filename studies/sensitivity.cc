@@ -279,8 +279,11 @@ SensitivityResult beam_sensitivities(const Configuration& study, const Vibration
   for (const Input& input : inputs_of(study, setup)) {
     if (input.moves_support) {
       const auto moving = moving_kinks(input, direction, motion);
-      const bool acts = std::any_of(moving.begin(), moving.end(), [](const auto& kink) {
-        return kink.second.time != 0 || kink.second.velocity_jump != 0;
+      const bool acts = std::any_of(moving.begin(), moving.end(), [&](const auto& kink) {
+        const auto& [at, rate] = kink;
+        constexpr double rounding = 1e-9;
+        return std::abs(rate.time * input.value) > rounding * moving.back().first.time ||
+               std::abs(rate.velocity_jump * input.value) > rounding * std::abs(at.velocity_jump);
       });
       if (moving.empty()) result.without.push_back(input.key);
       if (!acts) continue;
@@ -305,8 +308,9 @@ SensitivityResult beam_sensitivities(const Configuration& study, const Vibration
   const Response response(tip, points, sampling, pulse_end);
   response.report(result);
   const auto add = [&](const Input& input, const std::vector<Complex>& rate, double end_rate) {
-    InputSensitivity sensitivity{input.key, input.unit, input.value, 0, 0, {}};
+    InputSensitivity sensitivity{input.key, input.unit, input.value, 0, {}, {}};
     response.derive(rate, end_rate, sensitivity);
+    if (direction == Direction::along) sensitivity.peak_velocity.reset();
     result.inputs.push_back(sensitivity);
   };
   for (std::size_t p = 0; p < of_beam.size(); ++p) {
@@ -353,7 +357,7 @@ nlohmann::json to_json(const SensitivityResult& result) {
                       {"unit", input.unit},
                       {"value", input.value},
                       {"amplitude", input.amplitude},
-                      {"peak_velocity", input.peak_velocity},
+                      {"peak_velocity", or_null(input.peak_velocity)},
                       {"ring_down", or_null(input.ring_down)}});
   return {{"amplitude", result.amplitude},
           {"peak_velocity", result.peak_velocity},

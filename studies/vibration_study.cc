@@ -90,10 +90,10 @@ double residual_amplitude(const beam::TipHistory& history) {
   return greatest;
 }
 
-AxialResult axial_result(const beam::TipHistory& history, double support_peak) {
+AxialResult axial_result(beam::TipHistory history, double support_peak) {
   const std::size_t farthest = beam::index_of_peak(history.displacement);
   return {beam::amplitude_ratio(history, support_peak), history.displacement[farthest],
-          history.time[farthest]};
+          history.time[farthest], std::move(history)};
 }
 
 VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pipette,
@@ -132,8 +132,15 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
     if (part.along != 0)
       result.axial_sensitivities = beam_sensitivities(study, setup, Direction::along);
   }
-  if (!study.boolean("output.history")) result.history = {};
+  if (!study.boolean("output.history")) {
+    result.history = {};
+    if (result.axial) result.axial->history = {};
+  }
   return result;
+}
+
+bool are_oblique(const std::vector<VibrationResult>& results) {
+  return !results.empty() && results.front().axial;
 }
 
 nlohmann::json to_json(const VibrationResult& result) {
@@ -174,34 +181,51 @@ void write_history(const RunDirectory& directory, const std::vector<VibrationRes
   for (const VibrationResult& result : results)
     columns.push_back(
         {fmt::format("tip {} {}", result.setup.fluid.name, result.setup.pulse_label()), "m"});
+  for (const VibrationResult& result : results)
+    if (result.axial)
+      columns.push_back(
+          {fmt::format("axial tip {} {}", result.setup.fluid.name, result.setup.pulse_label()),
+           "m"});
   HistoryFile file(directory.file("history.csv"), columns);
   const std::size_t samples = results.empty() ? 0 : results.front().history.time.size();
   std::vector<double> row(columns.size());
   for (std::size_t i = 0; i < samples; ++i) {
     row[0] = results.front().history.time[i];
-    for (std::size_t k = 0; k < results.size(); ++k)
-      row[k + 1] = results[k].history.displacement[i];
+    std::size_t column = 1;
+    for (const VibrationResult& result : results) row[column++] = result.history.displacement[i];
+    for (const VibrationResult& result : results)
+      if (result.axial) row[column++] = result.axial->history.displacement[i];
     file.add(row);
   }
 }
 
 void write_amplitudes(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
-  HistoryFile file(directory.file("amplitudes.csv"), {{"fluid", ""},
-                                                      {"fluid_density", "kg/m^3"},
-                                                      {"pulse_duration", "s"},
-                                                      {"angular_frequency", "rad/s"},
-                                                      {"amplitude_ratio", ""},
-                                                      {"peak_displacement", "m"},
-                                                      {"time_of_peak", "s"},
-                                                      {"peak_velocity", "m/s"},
-                                                      {"time_of_peak_velocity", "s"},
-                                                      {"ring_down", "s"},
-                                                      {"residual_amplitude", "m"}});
+  std::vector<Column> columns{{"fluid", ""},
+                              {"fluid_density", "kg/m^3"},
+                              {"pulse_duration", "s"},
+                              {"angular_frequency", "rad/s"},
+                              {"amplitude_ratio", ""},
+                              {"peak_displacement", "m"},
+                              {"time_of_peak", "s"},
+                              {"peak_velocity", "m/s"},
+                              {"time_of_peak_velocity", "s"},
+                              {"ring_down", "s"},
+                              {"residual_amplitude", "m"}};
+  if (are_oblique(results))
+    columns.insert(columns.end(), {{"axial_amplitude_ratio", ""},
+                                   {"axial_peak_displacement", "m"},
+                                   {"axial_time_of_peak", "s"}});
+  HistoryFile file(directory.file("amplitudes.csv"), columns);
   for (const VibrationResult& r : results) {
-    file.add(r.setup.fluid.name,
-             {r.setup.fluid.density, r.setup.pulse_duration, r.setup.angular_frequency,
-              r.amplitude_ratio, r.peak_displacement, r.time_of_peak, r.peak_velocity,
-              r.time_of_peak_velocity, r.ring_down, r.residual_amplitude});
+    std::vector<double> row{
+        r.setup.fluid.density, r.setup.pulse_duration,  r.setup.angular_frequency,
+        r.amplitude_ratio,     r.peak_displacement,     r.time_of_peak,
+        r.peak_velocity,       r.time_of_peak_velocity, r.ring_down,
+        r.residual_amplitude};
+    if (r.axial)
+      row.insert(row.end(),
+                 {r.axial->amplitude_ratio, r.axial->peak_displacement, r.axial->time_of_peak});
+    file.add(r.setup.fluid.name, row);
   }
 }
 
@@ -215,12 +239,15 @@ void write_sensitivities(const RunDirectory& directory,
                                                          {"ring_down_elasticity", ""}});
   const auto add = [&](const std::string& label, const std::optional<SensitivityResult>& s) {
     if (!s) return;
+    const auto elasticity = [](const std::optional<double>& rate, double value,
+                               const std::optional<double>& of) {
+      return rate && of && *of != 0 ? *rate * value / *of : std::nan("");
+    };
     for (const InputSensitivity& input : s->inputs)
-      file.add(label + "; " + input.key, {input.value, input.amplitude * input.value / s->amplitude,
-                                          input.peak_velocity * input.value / s->peak_velocity,
-                                          input.ring_down && s->ring_down && *s->ring_down != 0
-                                              ? *input.ring_down * input.value / *s->ring_down
-                                              : std::nan("")});
+      file.add(label + "; " + input.key,
+               {input.value, elasticity(input.amplitude, input.value, s->amplitude),
+                elasticity(input.peak_velocity, input.value, s->peak_velocity),
+                elasticity(input.ring_down, input.value, s->ring_down)});
   };
   for (const VibrationResult& r : results) {
     const std::string label = r.setup.fluid.name + "; " + r.setup.pulse_label();
@@ -298,14 +325,17 @@ std::vector<VibrationResult> compute_vibration(const Configuration& study, Sessi
   return results;
 }
 
-std::string amplitude_table(const std::vector<VibrationResult>& results) {
+namespace {
+
+std::string table_of(const std::vector<VibrationResult>& results, const std::string& title,
+                     double (*ratio)(const VibrationResult&)) {
   std::vector<std::string> fluids;
   std::vector<std::string> pulses;
   for (const VibrationResult& result : results) {
     add_once(fluids, result.setup.fluid.name);
     add_once(pulses, result.setup.pulse_label());
   }
-  std::string table = fmt::format("{:<16}", "amplitude ratio");
+  std::string table = fmt::format("{:<16}", title);
   for (const std::string& pulse : pulses) table += fmt::format(" {:>12}", pulse);
   for (const std::string& fluid : fluids) {
     table += fmt::format("\n{:<16}", fluid);
@@ -314,10 +344,22 @@ std::string amplitude_table(const std::vector<VibrationResult>& results) {
         return result.setup.fluid.name == fluid && result.setup.pulse_label() == pulse;
       });
       table += cell == results.end() ? fmt::format(" {:>12}", "-")
-                                     : fmt::format(" {:>12.4f}", cell->amplitude_ratio);
+                                     : fmt::format(" {:>12.4f}", ratio(*cell));
     }
   }
   return table + "\n";
+}
+
+}  // namespace
+
+std::string amplitude_table(const std::vector<VibrationResult>& results) {
+  const bool oblique = are_oblique(results);
+  std::string text = table_of(results, oblique ? "across" : "amplitude ratio",
+                              [](const VibrationResult& r) { return r.amplitude_ratio; });
+  if (oblique)
+    text += table_of(results, "along",
+                     [](const VibrationResult& r) { return r.axial->amplitude_ratio; });
+  return text;
 }
 
 namespace {

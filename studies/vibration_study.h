@@ -24,11 +24,12 @@ struct VibrationCase {
 /// What the response of a tip does when one input changes, everything else being kept. Derivatives
 /// are by the input in SI.
 struct InputSensitivity {
-  std::string key;           ///< of the study file, "pipette.length"; "fill.fluids" is the density
-  std::string unit;          ///< of the input
-  double value = 0;          ///< of the input
-  double amplitude = 0;      ///< of the greatest displacement [m/unit]
-  double peak_velocity = 0;  ///< of the greatest speed [m/s/unit]
+  std::string key;       ///< of the study file, "pipette.length"; "fill.fluids" is the density
+  std::string unit;      ///< of the input
+  double value = 0;      ///< of the input
+  double amplitude = 0;  ///< of the greatest displacement [m/unit]
+  /// Of the greatest speed [m/s/unit]; none along the pipette, where a pulse's kinks are jumps.
+  std::optional<double> peak_velocity;
   std::optional<double> ring_down;  ///< of the time to a tenth of the peak [s/unit]; none if never
 };
 
@@ -46,6 +47,7 @@ struct AxialResult {
   double amplitude_ratio = 0;    ///< greatest displacement over the support's peak
   double peak_displacement = 0;  ///< of greatest magnitude, with its sign, towards the oocyte [m]
   double time_of_peak = 0;       ///< [s]
+  beam::TipHistory history;      ///< empty when it is not to be kept
 };
 
 /// What a case came to. Displacements and velocities are absolute (fixed frame), and across the
@@ -82,7 +84,7 @@ std::vector<VibrationCase> vibration_cases(const Configuration& study);
 std::vector<VibrationResult> compute_vibration(const Configuration& study, Session& session);
 
 /// Amplitude ratios as a table, one row per fluid and one column per pulse; "-" where there is
-/// none.
+/// none; after an oblique pulse those along the pipette in another one.
 std::string amplitude_table(const std::vector<VibrationResult>& results);
 
 /// Checks the pipettes; the job writes amplitudes.csv (a row per case), history.csv (time and one

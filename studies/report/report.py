@@ -189,21 +189,12 @@ def replays(page, runs):
 
 
 def vibration_part(page, results):
-    fluids = list(dict.fromkeys(result["fluid"] for result in results))
-    is_sine = any(result["angular_frequency"] for result in results)
-    key, factor, unit = ("angular_frequency", 1, "rad/s") if is_sine else ("pulse_duration", MICRO, "µs")
-    pulses = list(dict.fromkeys(result[key] for result in results))
-    ratios = {(result["fluid"], result[key]): result["amplitude_ratio"] for result in results}
     page.heading("Amplitude of the tip over that of the support")
-    if len(pulses) <= 24:
-        page.parts.append(table([""] + [f"{number(pulse, factor)} {unit}" for pulse in pulses],
-                                [[fluid] + [f"{ratios[fluid, pulse]:.4f}" if (fluid, pulse) in ratios else "-"
-                                            for pulse in pulses] for fluid in fluids]))
-    lines = [(fluid, [factor * pulse for pulse in pulses if (fluid, pulse) in ratios],
-              [ratios[fluid, pulse] for pulse in pulses if (fluid, pulse) in ratios]) for fluid in fluids]
-    page.charts([Chart("amplitude", "Amplitude ratio by pulse, as in Figure 5.28.",
-                       f"{'angular frequency' if is_sine else 'duration'} [{unit}]", "tip over support", lines,
-                       markers=len(pulses) <= 50)])
+    oblique = any("axial_amplitude_ratio" in result for result in results)
+    amplitudes(page, results, "amplitude_ratio", "across the pipette" if oblique else "as in Figure 5.28")
+    if oblique:
+        amplitudes(page, results, "axial_amplitude_ratio", "along the pipette")
+    fluids = list(dict.fromkeys(result["fluid"] for result in results))
     page.heading("Natural frequencies")
     frequencies = {result["fluid"]: result["natural_frequencies"] for result in results}
     count = min(6, min(map(len, frequencies.values())))
@@ -211,6 +202,24 @@ def vibration_part(page, results):
                             [[fluid] + [f"{f / 1e3:.4g}" for f in frequencies[fluid][:count]] for fluid in fluids]))
     vibration_motions(page)
     sensitivities(page, results)
+
+
+def amplitudes(page, results, measure, what):
+    """Ratios as a table and as a chart."""
+    fluids = list(dict.fromkeys(result["fluid"] for result in results))
+    is_sine = any(result["angular_frequency"] for result in results)
+    key, factor, unit = ("angular_frequency", 1, "rad/s") if is_sine else ("pulse_duration", MICRO, "µs")
+    pulses = list(dict.fromkeys(result[key] for result in results))
+    ratios = {(result["fluid"], result[key]): result[measure] for result in results}
+    if len(pulses) <= 24:
+        page.parts.append(table([what] + [f"{number(pulse, factor)} {unit}" for pulse in pulses],
+                                [[fluid] + [f"{ratios[fluid, pulse]:.4f}" if (fluid, pulse) in ratios else "-"
+                                            for pulse in pulses] for fluid in fluids]))
+    lines = [(fluid, [factor * pulse for pulse in pulses if (fluid, pulse) in ratios],
+              [ratios[fluid, pulse] for pulse in pulses if (fluid, pulse) in ratios]) for fluid in fluids]
+    page.charts([Chart(measure, f"Amplitude ratio by pulse, {what}.",
+                       f"{'angular frequency' if is_sine else 'duration'} [{unit}]", "tip over support", lines,
+                       markers=len(pulses) <= 50)])
 
 
 def sensitivities(page, results):
@@ -237,15 +246,24 @@ def vibration_motions(page):
     if data is None or len(data) < 2:
         return
     page.heading("Motion of the tip")
-    tips = [name for name in data.names if name.startswith("tip ")]
-    shown = tips if len(tips) <= 6 else [tips[i] for i in np.linspace(0, len(tips) - 1, 6).round().astype(int)]
     time = data["time"]
+
+    def some(prefix):
+        tips = [name for name in data.names if name.startswith(prefix)]
+        return tips, tips if len(tips) <= 6 else [tips[i] for i in np.linspace(0, len(tips) - 1, 6).round().astype(int)]
+
+    tips, shown = some("tip ")
     page.charts([
         Chart("tip", f"Displacement of the tip, {len(shown)} of {len(tips)} runs.", "time [µs]", "displacement [µm]",
               [(name[4:].strip(), time * MICRO, data[name] * MICRO) for name in shown]),
         Chart("tip_spectrum", "Amplitude spectra of these displacements.", "frequency [kHz]", "amplitude [µm]",
               [(name[4:].strip(), f / 1e3, a) for name in shown for f, a in [spectrum(time, data[name] * MICRO)]],
               x_limit=(0, 60))])
+    tips, shown = some("axial tip ")
+    if tips:
+        page.charts([Chart("axial_tip", f"Displacement of the tip along the pipette, {len(shown)} of {len(tips)} runs.",
+                           "time [µs]", "displacement [µm]",
+                           [(name[10:].strip(), time * MICRO, data[name] * MICRO) for name in shown])])
 
 
 def scene_part(page, runs):
