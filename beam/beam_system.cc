@@ -171,10 +171,11 @@ BeamSystem system_of(const Pipette& pipette, const Section& section, const BeamL
   system.damping_beta = pipette.damping_beta;
   system.loss_factor = pipette.loss_factor;
   system.loss_frequency = 2 * kPi * pipette.loss_frequency;
+  const bool bends = layout.deformation == Deformation::bending;
+  if (bends && pipette.bath.model == BathModel::none) return system;  // fluids are mass
   const std::vector<QuadraturePoint> points = quadrature_points(section, layout);
-  system.liquids = layout.deformation == Deformation::bending
-                       ? liquids_across(pipette, points, system.size())
-                       : liquids_along(pipette, points, system.size());
+  system.liquids = bends ? liquids_across(pipette, points, system.size())
+                         : liquids_along(pipette, points, system.size());
   return system;
 }
 

@@ -12,8 +12,7 @@ const std::vector<Fluid>& named_fluids() {
       {"none", 0, 1.8e-5, "air, whose mass is left out"},
       {"light_oil", 840, 2.5e-2,
        "light mineral oil, Sigma's, as quoted by studies of embryo culture; typical viscosity, "
-       "1.5e-2 "
-       "to 3.5e-2"},
+       "1.5e-2 to 3.5e-2"},
       {"water", 1000, 8.9e-4, "Table 5.7; viscosity by IAPWS, 25 C"},
       {"PVP", 1018, 0.5,
        "10 % w/v in water at 25 C, estimated from 0.797 mL/g of the polymer; typical viscosity of "
