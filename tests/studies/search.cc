@@ -463,6 +463,7 @@ TEST_CASE("what is wrong with a search is said at its key") {
   CHECK_THAT(trouble_of("candidates = 4\nrefinements = 3\nfinalists = 2", "candidates = 1"),
              Contains("2 combinations"));
   CHECK_THAT(trouble_of("finalists = 2", "finalists = 5"), Contains("among the candidates"));
+  CHECK_THAT(trouble_of("refinements = 3", "refinements = -1"), Contains("search.refinements"));
   CHECK_THAT(trouble_of("at_least = \"0.5 um\"", ""), Contains("at_most"));
   CHECK_THAT(trouble_of("\"0.5 um\"", "0.5"), Contains("unit"));
   CHECK_THAT(trouble_of("\"0.5 um\"", "\"0.5 kg\""), Contains("at_least"));
