@@ -184,6 +184,10 @@ def uncertainty(page, search):
     page.parts.append("<p>Spearman's correlation over the samples, mean over the designs. "
                       + NOISE.format(count, min(1, 2 / max(count - 1, 1) ** 0.5)) + "</p>")
     page.charts(tornadoes(search, inputs))
+    off = [f"{end['subject']} with {entry['key']} at the {end['end']} end" for entry in inputs
+           for end in entry["ends"] if not end["keeps_limits"]]
+    if off:
+        page.parts.append(f'<p class="warning">At ends of the ranges these leave the limits: {escaped("; ".join(off))}.</p>')
 
 
 def tornadoes(search, inputs):

@@ -127,9 +127,11 @@ json uncertain_json(const Record& record) {
     json ends = json::array();
     for (const End& end : record.ends)
       if (end.input == i)
-        ends.push_back({{"subject", end.subject},
-                        {"end", end.is_high ? "high" : "low"},
-                        {"values", end.values}});
+        ends.push_back(
+            {{"subject", end.subject},
+             {"end", end.is_high ? "high" : "low"},
+             {"keeps_limits", keeps(record.plan.limits_of(Measure::Of::oocyte), end.values)},
+             {"values", end.values}});
     json entry = {{"key", input.key},  {"unit", input.unit},           {"source", input.source},
                   {"samples", values}, {"correlations", correlations}, {"ends", ends}};
     if (input.is_list()) {
@@ -186,6 +188,11 @@ std::string table(const Record& record) {
                             "No design{} keeps to the limits and is better in {:.0f} % of the "
                             "samples, in the ranges tried.\n",
                             without, 100 * record.plan.confidence);
+  for (const End& end : record.ends)
+    if (!keeps(record.plan.limits_of(Measure::Of::oocyte), end.values))
+      text += fmt::format("With {} at the {} end of its range {} leaves the limits.\n",
+                          record.plan.uncertain[end.input].key, end.is_high ? "high" : "low",
+                          end.subject);
   return text;
 }
 

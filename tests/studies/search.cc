@@ -383,6 +383,7 @@ TEST_CASE("a search ranks designs, and what it has computed is not computed agai
   CHECK(ranked == 2);
   CHECK(results["uncertain"][0]["samples"].size() == 2);
   CHECK(results["uncertain"][0]["ends"].size() == 4);
+  CHECK(results["uncertain"][0]["ends"][0]["keeps_limits"] == true);  // none of the oocyte's
 
   // A candidate's file is a study that comes to what the search says.
   const auto best =
