@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "mpm/rigid_motion.h"
+#include "mpm/materials/rigid_motion.h"
 
 namespace zona::coupling {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "beam/tip_history.h"
-#include "mpm/rigid_motion.h"
+#include "beam/motion/tip_history.h"
+#include "mpm/materials/rigid_motion.h"
 
 /// From the motion of a pipette's tip, computed or measured, to the motion of a rigid body.
 namespace zona::coupling {

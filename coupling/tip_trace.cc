@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "coupling/slopes.h"
-#include "mpm/atomic_file.h"
-#include "mpm/hdf5_file.h"
+#include "mpm/files/atomic_file.h"
+#include "mpm/files/hdf5_file.h"
 
 namespace zona::coupling {
 

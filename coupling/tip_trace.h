@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "beam/tip_history.h"
+#include "beam/motion/tip_history.h"
 
 namespace zona::coupling {
 

@@ -4,10 +4,10 @@
 #include <iostream>
 
 #include "studies/bench/bench.h"
-#include "studies/commands.h"
-#include "studies/reference.h"
+#include "studies/program/commands.h"
+#include "studies/program/reference.h"
+#include "studies/run/version.h"
 #include "studies/verification/verify.h"
-#include "studies/version.h"
 
 namespace {
 

@@ -96,7 +96,7 @@ time.end = \"1 ms\"
   require_text("the report" "${page}" "the page of the prefix")
 
   # The figures of `zona verify` are drawn by a script.
-  if(NOT EXISTS ${prefix}/share/zona/figures/draw_verification.py)
+  if(NOT EXISTS ${prefix}/share/zona/report/draw_verification.py)
     message(FATAL_ERROR "draw_verification.py is not installed")
   endif()
 endif()

@@ -1,4 +1,4 @@
-#include "beam/elements/elements.h"
+#include "beam/system/elements_library.h"
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-#include "beam/require.h"
+#include "beam/algebra/require.h"
 
 namespace zona::beam {
 namespace {

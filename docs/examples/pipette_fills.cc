@@ -5,14 +5,14 @@
 #include <cmath>
 #include <cstdio>
 
-#include "beam/beam_system.h"
-#include "beam/exact_cantilever.h"
-#include "beam/fluid.h"
-#include "beam/integrate.h"
-#include "beam/natural_modes.h"
-#include "beam/pipette.h"
-#include "beam/support_motion.h"
-#include "beam/tip_history.h"
+#include "beam/exact/cantilever.h"
+#include "beam/motion/support_motion.h"
+#include "beam/motion/tip_history.h"
+#include "beam/pipette/fluid.h"
+#include "beam/pipette/pipette.h"
+#include "beam/system/beam_system.h"
+#include "beam/system/natural_modes.h"
+#include "beam/time/integrate.h"
 
 using namespace zona::beam;
 

@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "beam/beam_system.h"
-#include "beam/fluid.h"
-#include "beam/integrate.h"
-#include "beam/pipette.h"
-#include "beam/support_motion.h"
+#include "beam/motion/support_motion.h"
+#include "beam/pipette/fluid.h"
+#include "beam/pipette/pipette.h"
+#include "beam/system/beam_system.h"
+#include "beam/time/integrate.h"
 #include "coupling/tip_motion.h"
-#include "mpm/lattice.h"
-#include "mpm/solver.h"
+#include "mpm/bodies/lattice.h"
+#include "mpm/step/solver.h"
 
 using namespace zona;
 

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "mpm/diagnostics.h"
-#include "mpm/frame_writer.h"
-#include "mpm/lattice.h"
-#include "mpm/solver.h"
+#include "mpm/bodies/lattice.h"
+#include "mpm/files/frame_writer.h"
+#include "mpm/results/diagnostics.h"
+#include "mpm/step/solver.h"
 
 using namespace zona::mpm;
 

@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "mpm/instruction_set.h"
+#include "mpm/step/instruction_set.h"
 #include "studies/bench/scenes.h"
 #include "studies/bench/step_model.h"
 #include "studies/bench/stream.h"
-#include "studies/commands.h"
-#include "studies/input_error.h"
-#include "studies/version.h"
+#include "studies/input/input_error.h"
+#include "studies/program/commands.h"
+#include "studies/run/version.h"
 
 namespace zona::studies::bench {
 

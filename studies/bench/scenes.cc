@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "studies/piercing_model.h"
+#include "studies/kinds/piercing/model.h"
 
 namespace zona::studies::bench {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mpm/solver.h"
+#include "mpm/step/solver.h"
 
 namespace zona::studies::bench {
 

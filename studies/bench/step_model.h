@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm/solver.h"
+#include "mpm/step/solver.h"
 
 namespace zona::studies::bench {
 

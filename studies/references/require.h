@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "mpm/errors.h"
+#include "mpm/points/errors.h"
 
 namespace zona::studies::references {
 

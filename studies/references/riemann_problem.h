@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm/equation_of_state.h"
+#include "mpm/materials/equation_of_state.h"
 
 namespace zona::studies::references {
 

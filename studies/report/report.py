@@ -66,8 +66,8 @@ def number_table(runs, entries):
 class Page:
     """Collects the parts of the page and the files beside it."""
 
-    def __init__(self, study, scripts):
-        self.study, self.scripts = study, scripts
+    def __init__(self, study):
+        self.study = study
         self.folder = study.directory / "report"
         self.folder.mkdir(exist_ok=True)
         self.parts, self.missing = [], []
@@ -157,8 +157,7 @@ def piercing_part(page, runs):
 
 
 def pictures(page, runs):
-    sys.path.insert(0, str(page.scripts))
-    import render_zona  # noqa: PLC0415 (where it is, is known only now)
+    import render_zona  # noqa: PLC0415 (loads matplotlib, which few reports need)
     page.heading("The zona at chosen times")
     for run in runs:
         frames = run.frames()
@@ -355,9 +354,9 @@ def _micrometres(text):
     return float(value) * scale if scale else None
 
 
-def build(directory, scripts):
+def build(directory):
     study = Study(directory)
-    page = Page(study, scripts)
+    page = Page(study)
     runs = study.runs()
     if study.kind in ("piercing", "comparison"):
         page.heading("Key numbers")
@@ -395,7 +394,7 @@ def build(directory, scripts):
 
 
 def main():
-    target, missing = build(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
+    target, missing = build(pathlib.Path(sys.argv[1]))
     for text in missing:
         print(f"left out: {text}")
     print(target)

@@ -4,12 +4,12 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "studies/bundled_studies.h"
-#include "studies/commands.h"
-#include "studies/resolved_study.h"
-#include "studies/run_directory.h"
-#include "studies/study_kinds.h"
-#include "studies/version.h"
+#include "studies/kinds/study_kinds.h"
+#include "studies/program/bundled_studies.h"
+#include "studies/program/commands.h"
+#include "studies/run/resolved_study.h"
+#include "studies/run/run_directory.h"
+#include "studies/run/version.h"
 
 namespace zona::studies::verification {
 

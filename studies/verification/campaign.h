@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/configuration.h"
-#include "studies/verification/verification_case.h"
+#include "studies/input/configuration.h"
+#include "studies/verification/evaluation/verification_case.h"
 
 namespace zona::studies::verification {
 

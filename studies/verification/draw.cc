@@ -1,8 +1,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "studies/bundled_studies.h"
-#include "studies/python_script.h"
+#include "studies/program/bundled_studies.h"
+#include "studies/program/python_script.h"
 #include "studies/verification/page.h"
 
 namespace zona::studies::verification {
@@ -13,7 +13,7 @@ namespace {
 
 /// Runs one of the project's scripts; returns "" or the end of what it complained about.
 std::string run_figure_script(const std::string& script, const std::vector<fs::path>& arguments) {
-  const ScriptOutcome outcome = run_script(figure_directory() / script, arguments);
+  const ScriptOutcome outcome = run_script(report_directory() / script, arguments);
   return outcome.succeeded ? "" : end_of(outcome.output);
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "studies/progress.h"
-#include "studies/version.h"
+#include "studies/run/progress.h"
+#include "studies/run/version.h"
 
 namespace zona::studies::verification {
 

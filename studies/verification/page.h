@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/verification/verification_case.h"
+#include "studies/verification/evaluation/verification_case.h"
 
 namespace zona::studies::verification {
 

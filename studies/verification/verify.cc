@@ -7,10 +7,10 @@
 #include <iostream>
 #include <map>
 
-#include "studies/commands.h"
-#include "studies/interrupt.h"
-#include "studies/nearest.h"
-#include "studies/progress.h"
+#include "studies/input/nearest.h"
+#include "studies/program/commands.h"
+#include "studies/run/interrupt.h"
+#include "studies/run/progress.h"
 #include "studies/verification/campaign.h"
 #include "studies/verification/page.h"
 

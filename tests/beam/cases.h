@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "beam/beam_system.h"
-#include "beam/exact_cantilever.h"
-#include "beam/fluid.h"
-#include "beam/integrate.h"
+#include "beam/exact/cantilever.h"
+#include "beam/pipette/fluid.h"
+#include "beam/system/beam_system.h"
+#include "beam/time/integrate.h"
 
 namespace zona::beam::test {
 

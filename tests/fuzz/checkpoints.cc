@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "mpm/checkpoint.h"
+#include "mpm/files/checkpoint.h"
 #include "tests/fuzz/hdf5_handles.h"
 #include "tests/fuzz/input_file.h"
 

@@ -1,5 +1,5 @@
 #include "coupling/tip_trace.h"
-#include "mpm/hdf5_file.h"
+#include "mpm/files/hdf5_file.h"
 #include "tests/fuzz/hdf5_handles.h"
 #include "tests/fuzz/input_file.h"
 

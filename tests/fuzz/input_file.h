@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/scratch_folder.h"
+#include "tests/scratch_directory.h"
 
 namespace zona::tests {
 
@@ -22,7 +22,7 @@ class InputFile {
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
 
-  const ScratchFolder folder;
+  const ScratchDirectory folder;
 
  private:
   std::string path_;

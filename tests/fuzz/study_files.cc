@@ -1,11 +1,15 @@
-#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "studies/configuration.h"
-#include "studies/resolved_study.h"
-#include "studies/study_kinds.h"
+#include "studies/input/configuration.h"
+#include "studies/kinds/comparison/schema.h"
+#include "studies/kinds/material_point/schema.h"
+#include "studies/kinds/piercing/schema.h"
+#include "studies/kinds/scene/schema.h"
+#include "studies/kinds/search/schema.h"
+#include "studies/kinds/vibration/schema.h"
+#include "studies/run/resolved_study.h"
 #include "tests/fuzz/input_file.h"
 
 using namespace zona;
@@ -14,11 +18,9 @@ using namespace zona::studies;
 namespace {
 
 const std::vector<const Schema*>& schemas() {
-  static const std::array<Schema, 6> all = {make_vibration_schema(),  make_piercing_schema(),
-                                            make_comparison_schema(), make_search_schema(),
-                                            make_scene_schema(),      make_material_point_schema()};
-  static const std::vector<const Schema*> pointers{&all[0], &all[1], &all[2],
-                                                   &all[3], &all[4], &all[5]};
+  static const std::vector<const Schema*> pointers{&vibration_schema(),  &piercing_schema(),
+                                                   &comparison_schema(), &search_schema(),
+                                                   &scene_schema(),      &material_point_schema()};
   return pointers;
 }
 

@@ -1,38 +1,16 @@
 #pragma once
 
-#include <unistd.h>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include "studies/configuration.h"
+#include "studies/input/configuration.h"
+#include "studies/kinds/study_kinds.h"
+#include "tests/scratch_directory.h"
 
 namespace zona::studies::testing {
 
-/// A directory that lives as long as the object.
-class ScratchDirectory {
- public:
-  ScratchDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "zona_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch directory");
-    path_ = name;
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using tests::ScratchDirectory;
 
 inline std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "studies/input/formula.h"
+#include "studies/input/input_error.h"
+#include "studies/input/schema.h"
+#include "studies/input/toml_document.h"
+
+namespace zona::studies {
+
+/// The value of one key, checked against its declaration.
+struct Setting {
+  TomlValue written;               ///< as the user (or the default) has it
+  std::vector<double> numbers;     ///< one per item; quantities in SI
+  std::vector<std::string> texts;  ///< one per item, as written: "mercury", "13.5 um"
+  bool is_auto = false;
+  bool is_default = false;
+  std::string where;                ///< "file:line" or "--set"; empty for a default
+  int line = 0;                     ///< 0 for defaults and overrides
+  std::filesystem::path directory;  ///< where relative paths start; empty: at the study file
+  bool is_inherited = false;        ///< whether it stands in a file that the study is based on
+};
+
+/// Where a table of a list begins, and what it is called.
+struct ItemHeading {
+  std::string name;   ///< what its key `name` says; empty when that is no text
+  std::string where;  ///< "file:line" or "--set"
+  int line = 0;
+};
+
+/// A study with every parameter resolved and valid. Values in SI.
+///
+/// Asking for a key that the study kind does not declare, or by the wrong type, is a programming
+/// error: std::logic_error.
+class Configuration {
+ public:
+  Configuration(const Schema& schema, std::filesystem::path file);
+
+  const std::string& kind() const { return schema_->kind(); }
+  const Schema& schema() const { return *schema_; }
+  /// The study file as it was named.
+  const std::filesystem::path& file() const { return file_; }
+  /// Where relative paths in the study file start.
+  std::filesystem::path base_directory() const;
+
+  bool has(const std::string& key) const { return schema_->find(key) != nullptr; }
+  /// Whether the key has a value: not where its conditions do not hold (Parameter::only_with).
+  bool applies(const std::string& key) const { return settings_.count(key) > 0; }
+  double quantity(const std::string& key) const;  ///< SI; a named choice gives its value
+  double number(const std::string& key) const;
+  long integer(const std::string& key) const;
+  bool boolean(const std::string& key) const;
+  const std::string& choice(const std::string& key) const;
+  const std::string& text(const std::string& key) const;     ///< as written, of any kind of text
+  std::filesystem::path path(const std::string& key) const;  ///< absolute; empty means none
+  std::vector<double> quantities(const std::string& key) const;  ///< SI
+  Formula formula(const std::string& key) const;
+  std::vector<Formula> formulas(const std::string& key) const;
+  std::vector<double> numbers(const std::string& key) const;
+  std::vector<long> integers(const std::string& key) const;
+  std::vector<std::string> texts(const std::string& key) const;  ///< as written, e.g. fluid names
+
+  /// The table of that name, e.g. "grid" or "body.0".
+  Table table(const std::string& name) const;
+  /// The tables of a list, in the order of the file.
+  std::vector<Table> items(const std::string& list) const;
+  std::size_t item_count(const std::string& list) const { return headings(list).size(); }
+  const std::vector<ItemHeading>& headings(const std::string& list) const;
+  std::vector<std::string> item_names(const std::string& list) const;
+  /// All tables in the order of the schema: "grid", "body.0", "body.1", ...
+  std::vector<std::string> tables() const;
+  /// Keys of a table that have a value, in the order of the schema.
+  std::vector<std::string> keys_of(const std::string& table) const;
+  /// A key for people: items by their names, "body.left.density" for "body.0.density".
+  std::string shown_key(const std::string& key) const;
+
+  bool is_auto(const std::string& key) const;
+  bool is_default(const std::string& key) const;
+  int line_of(const std::string& key) const;  ///< 0 for defaults and overrides
+  /// The problem that a key has, at its place: that of its value, of its table's heading in a list
+  /// where it has none, or the file.
+  Problem problem(const std::string& key, const std::string& message) const;
+  const Setting& setting(const std::string& key) const;
+
+  void set(const std::string& key, Setting setting);
+  void unset(const std::string& key) { settings_.erase(key); }
+  void set_items(const std::string& list, std::vector<ItemHeading> headings);
+
+ private:
+  const Setting& of_kind(const std::string& key, Parameter::Kind kind, bool is_list) const;
+
+  const Schema* schema_;
+  std::filesystem::path file_;
+  std::map<std::string, Setting> settings_;
+  std::map<std::string, std::vector<ItemHeading>> headings_;
+};
+
+/// One table of a study, e.g. [grid] or the first [[body]], whose values are asked for by the last
+/// parts of their keys. Lives no longer than its configuration.
+class Table {
+ public:
+  Table(const Configuration& study, std::string name) : study_(&study), name_(std::move(name)) {}
+
+  const Configuration& study() const { return *study_; }
+  std::string key(const std::string& leaf) const { return name_ + "." + leaf; }
+  /// The item's name; its number where it is "auto".
+  std::string name() const;
+  Problem problem(const std::string& leaf, const std::string& message) const {
+    return study_->problem(key(leaf), message);
+  }
+
+  bool applies(const std::string& leaf) const { return study_->applies(key(leaf)); }
+  bool is_auto(const std::string& leaf) const { return study_->is_auto(key(leaf)); }
+  double quantity(const std::string& leaf) const { return study_->quantity(key(leaf)); }
+  double number(const std::string& leaf) const { return study_->number(key(leaf)); }
+  long integer(const std::string& leaf) const { return study_->integer(key(leaf)); }
+  bool boolean(const std::string& leaf) const { return study_->boolean(key(leaf)); }
+  const std::string& choice(const std::string& leaf) const { return study_->choice(key(leaf)); }
+  const std::string& text(const std::string& leaf) const { return study_->text(key(leaf)); }
+  Formula formula(const std::string& leaf) const { return study_->formula(key(leaf)); }
+  std::vector<double> quantities(const std::string& leaf) const {
+    return study_->quantities(key(leaf));
+  }
+  std::vector<double> numbers(const std::string& leaf) const { return study_->numbers(key(leaf)); }
+  std::vector<long> integers(const std::string& leaf) const { return study_->integers(key(leaf)); }
+  std::vector<std::string> texts(const std::string& leaf) const { return study_->texts(key(leaf)); }
+  std::vector<Formula> formulas(const std::string& leaf) const {
+    return study_->formulas(key(leaf));
+  }
+
+ private:
+  const Configuration* study_;
+  std::string name_;
+};
+
+/// A cross-check asked for a value that is itself invalid; the loader skips such a check.
+class MissingSetting : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Reads a study file, applies overrides of the form `key=TOML-value`, fills in the defaults and
+/// checks everything. Throws InputError with all problems of the file and the overrides.
+/// The schemas must outlive the configuration.
+Configuration load_configuration(const std::filesystem::path& file,
+                                 const std::vector<std::string>& overrides,
+                                 const std::vector<const Schema*>& schemas);
+
+}  // namespace zona::studies

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studies/input/parameter.h"
+
+namespace zona::studies {
+
+class Configuration;
+class Table;
+
+/// Reports what a cross-check found against a key.
+using Complain = std::function<void(const std::string& key, const std::string& message)>;
+
+/// Looks at several values together. It runs only when the values that it asks for are valid by
+/// themselves.
+using CrossCheck = std::function<void(const Configuration&, const Complain&)>;
+
+/// The same for one table of a list; keys are complained of by their last part.
+using ItemCheck = std::function<void(const Table&, const Complain&)>;
+
+/// A table of a study file, e.g. [grid], or a list of tables, e.g. [[body]].
+struct Section {
+  std::string name;
+  std::string documentation;
+  bool is_list = false;
+  std::size_t least = 0;  ///< tables that a list must have
+
+  /// As it stands in a study file: "[grid]", "[[body]]".
+  std::string heading() const { return is_list ? "[[" + name + "]]" : "[" + name + "]"; }
+};
+
+/// The keys of one study kind. Every key declares its default in the user's own notation:
+///
+///     Schema schema("drop", "A drop falls on a plate.");
+///     schema.section("drop", "The drop.");
+///     schema.quantity("drop.diameter", "m", "2 mm").in("(0, 0.1]").doc("Diameter at rest.");
+///
+/// A list of tables is declared as one of them is; the values of its second table have keys such as
+/// "wall.1.height" (or, where its name is "left", "wall.left.height"):
+///
+///     schema.list("wall", "Walls.");
+///     schema.quantity("wall.height", "m", "2 mm").doc("Height.");
+///
+/// The reference that a call returns is for chaining only; the next declaration invalidates it.
+class Schema {
+ public:
+  Schema(std::string kind, std::string summary);
+
+  /// Declares the table that the following keys belong to.
+  void section(const std::string& name, const std::string& documentation);
+
+  /// Declares a list of at least so many tables, each with a name of its own (key `name`): one that
+  /// must be given, or one that is `auto`, by number.
+  void list(const std::string& name, const std::string& documentation, std::size_t least,
+            bool must_be_named);
+
+  Parameter& quantity(const std::string& key, const std::string& unit, const std::string& value);
+  Parameter& quantities(const std::string& key, const std::string& unit,
+                        const std::vector<std::string>& values);
+  /// A function of `variables` (in SI), or a quantity for a constant.
+  Parameter& formula(const std::string& key, const std::string& unit,
+                     const std::vector<std::string>& variables, const std::string& value);
+  Parameter& formulas(const std::string& key, const std::string& unit,
+                      const std::vector<std::string>& variables,
+                      const std::vector<std::string>& values);
+  Parameter& number(const std::string& key, double value);
+  Parameter& numbers(const std::string& key, const std::vector<double>& values);
+  Parameter& integer(const std::string& key, long value);
+  Parameter& integers(const std::string& key, const std::vector<long>& values);
+  Parameter& boolean(const std::string& key, bool value);
+  /// The first choice is the default.
+  Parameter& choice(const std::string& key, const std::vector<std::string>& choices);
+  Parameter& choices(const std::string& key, const std::vector<std::string>& allowed,
+                     const std::vector<std::string>& values);
+  Parameter& text(const std::string& key, const std::string& value);
+  Parameter& texts(const std::string& key, const std::vector<std::string>& values);
+  /// Values that stand for those of another key, of whatever kind that is; none by default.
+  Parameter& anything(const std::string& key);
+  /// One such value, "auto" by default.
+  Parameter& bound(const std::string& key);
+  /// The name of an item of the list `refers_to`; it has no default.
+  Parameter& reference(const std::string& key, const std::string& refers_to);
+  Parameter& references(const std::string& key, const std::string& refers_to);
+  /// A file that is read; relative paths start at the study file. An empty path means none.
+  Parameter& file(const std::string& key, const std::string& value);
+
+  void check(CrossCheck cross_check);
+  void check_each(const std::string& list, ItemCheck check);
+
+  const std::string& kind() const { return kind_; }
+  const std::string& summary() const { return summary_; }
+  const std::vector<Section>& sections() const { return sections_; }
+  const std::vector<Parameter>& parameters() const { return parameters_; }
+  const std::vector<CrossCheck>& cross_checks() const { return cross_checks_; }
+  /// Checks of each item of a list, with the list's name.
+  const std::vector<std::pair<std::string, ItemCheck>>& item_checks() const { return item_checks_; }
+  /// The declaration of a key, also of one in a numbered item ("body.0.density"); nullptr when
+  /// there is no such key.
+  const Parameter* find(const std::string& key) const;
+  /// The table or list of that name; nullptr when there is none.
+  const Section* find_section(const std::string& name) const;
+  std::vector<std::string> keys() const;
+
+ private:
+  Parameter& add(const std::string& key, Parameter::Kind kind, std::string default_toml);
+
+  std::string kind_;
+  std::string summary_;
+  std::vector<Section> sections_;
+  std::vector<Parameter> parameters_;
+  std::vector<CrossCheck> cross_checks_;
+  std::vector<std::pair<std::string, ItemCheck>> item_checks_;
+};
+
+}  // namespace zona::studies

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mpm/bodies/body.h"
+#include "studies/kinds/piercing/model.h"
+
+namespace zona::studies {
+
+/// What a pulse has done to the zona at an instant.
+struct ZonaDamage {
+  int failed_points = 0;
+  double failed_area = 0;     ///< undeformed area of the failed points [m^2]
+  double largest_strain = 0;  ///< largest principal strain of intact points [-]
+  double strain_away = 0;  ///< the same, further than a pipette diameter from hole and contact [-]
+  double largest_displacement = 0;  ///< of an intact point further than that [m]
+  /// How far the pipette has pushed the intact zona near the contact along its axis [m].
+  double indentation = 0;
+
+  void visit_state(mpm::StateVisitor& visitor);
+};
+
+/// Follows the zona through a run. "Away from the hole" is measured in the undeformed zona: further
+/// than one outer diameter of the pipette from every failed point and from the rim of the contact.
+class DamageMeter {
+ public:
+  DamageMeter(const mpm::Body& zona, const mpm::Tube& tip);
+
+  ZonaDamage measure(const mpm::Body& zona);
+
+  void visit_state(mpm::StateVisitor& visitor);
+
+  /// Positions of the zona's points before the run [m].
+  const std::vector<Eigen::Vector3d>& reference() const { return reference_; }
+
+  /// Over all measurements so far, of points away from the hole as it is now: largest strain [-]
+  /// and largest displacement [m]. (A point that is yet to fail is not away.)
+  double peak_strain_away() const { return peak_away(peak_strain_); }
+  double peak_displacement_away() const { return peak_away(peak_displacement_); }
+
+ private:
+  double peak_away(const std::vector<double>& peak) const;
+  bool near_contact(std::size_t point) const;
+  void widen_hole(const mpm::Membrane& membrane);
+
+  std::vector<Eigen::Vector3d> reference_;
+  std::vector<std::int32_t> away_;     ///< 1 or 0
+  std::vector<std::int32_t> counted_;  ///< 1 or 0
+  std::vector<double> peak_strain_;
+  std::vector<double> peak_displacement_;
+  mpm::Tube tip_;
+  double clearance_;
+};
+
+}  // namespace zona::studies

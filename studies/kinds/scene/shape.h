@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+
+#include "mpm/bodies/lattice.h"
+#include "studies/parameters/box.h"
+
+namespace zona::studies {
+
+/// Whether a place [m] lies in a body's shape.
+using Inside = std::function<bool(const Eigen::Vector3d&)>;
+
+/// What a [[body]] encloses: its shape, the ball in an icosphere, nothing of a sheet or disc. Boxes
+/// hold their lower faces and not their upper ones, so that neighbours share no point.
+Inside inside_of(const Table& body, const mpm::BackgroundGrid& grid);
+
+/// Points of a body with a volume, without those that `cut` says yes to.
+mpm::Lattice volume_points(const Table& body, const mpm::BackgroundGrid& grid, const Inside& inside,
+                           const Inside& cut);
+
+/// Points and triangles of a sheet, disc or icosphere, numbered as they lie in space; each point
+/// has a third of the area of the triangles around it.
+struct WeightedSurface {
+  mpm::TriangulatedSurface surface;
+  std::vector<double> areas;  ///< [m^2]
+};
+WeightedSurface surface_points(const Table& body, const mpm::BackgroundGrid& grid);
+
+bool is_surface(const std::string& shape);
+
+}  // namespace zona::studies

@@ -1,0 +1,258 @@
+#include "studies/kinds/search/record_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "studies/run/history_file.h"
+#include "studies/run/resolved_study.h"
+
+namespace zona::studies::search {
+
+namespace {
+
+using nlohmann::json;
+
+/// Columns of the variables that are ranges.
+void add_ranges(const Plan& plan, std::vector<Column>& columns) {
+  for (const Dimension& variable : plan.variables)
+    if (!variable.is_list()) columns.push_back({variable.key, variable.unit});
+}
+
+/// The listed values of a design in words, and its numbers.
+std::pair<std::string, std::vector<double>> words_and_numbers(const Plan& plan,
+                                                              const Settings& settings) {
+  std::string words;
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < plan.variables.size(); ++i) {
+    const std::string value = shown_value(settings[i]);
+    if (plan.variables[i].is_list()) {
+      words += (words.empty() ? "" : "; ") + value;
+    } else {
+      numbers.push_back(std::stod(value));
+    }
+  }
+  std::replace(words.begin(), words.end(), ',', ';');
+  return {words.empty() ? "design" : words, numbers};
+}
+
+double value_or_nan(const Values& values, const std::string& measure) {
+  const auto found = values.find(measure);
+  return found == values.end() ? std::nan("") : found->second;
+}
+
+void write_samples(const Record& record, const RunDirectory& directory) {
+  std::vector<Column> columns{{"design", ""}, {"sample", ""}};
+  for (const Dimension& input : record.plan.uncertain) columns.push_back({input.key, input.unit});
+  for (const Measure& measure : measures()) columns.push_back({measure.name, measure.unit});
+  HistoryFile file(directory.file("samples.csv"), columns);
+  std::vector<const Candidate*> subjects{&record.reference};
+  for (const std::size_t i : record.finalists) subjects.push_back(&record.candidates[i]);
+  for (const Candidate* subject : subjects) {
+    for (std::size_t s = 0; s < subject->samples.size(); ++s) {
+      std::vector<double> row{static_cast<double>(s)};
+      row.insert(row.end(), record.samples[s].values.begin(), record.samples[s].values.end());
+      for (const Measure& measure : measures())
+        row.push_back(value_or_nan(subject->samples[s], measure.name));
+      file.add(subject->label, row);
+    }
+  }
+}
+
+/// Way by way, in the order in which they were made.
+void write_trials(const Record& record, const RunDirectory& directory) {
+  if (record.trials.empty()) return;
+  std::vector<Column> columns{{"design", ""}, {"way", ""}};
+  add_ranges(record.plan, columns);
+  columns.push_back({"cost", ""});
+  for (const Measure& measure : measures()) columns.push_back({measure.name, measure.unit});
+  HistoryFile file(directory.file("trials.csv"), columns);
+  for (const Trial& trial : record.trials) {
+    const auto [words, numbers] = words_and_numbers(record.plan, trial.design.settings);
+    std::vector<double> row{static_cast<double>(trial.start + 1)};
+    row.insert(row.end(), numbers.begin(), numbers.end());
+    row.push_back(trial.cost);
+    for (const Measure& measure : measures())
+      row.push_back(value_or_nan(trial.values, measure.name));
+    file.add(words, row);
+  }
+}
+
+/// Study files of the finalists, by rank, to be run as they are, with frames.
+void write_candidates(const Record& record, const RunDirectory& directory) {
+  std::filesystem::create_directories(directory.file("candidates"));
+  for (std::size_t rank = 0; rank < record.finalists.size(); ++rank) {
+    const Candidate& candidate = record.candidates[record.finalists[rank]];
+    directory.write(fmt::format("candidates/{}.toml", rank + 1),
+                    resolved_study(record.plan.study(candidate.settings)));
+  }
+}
+
+json candidate_json(const Candidate& candidate) {
+  json settings = json::object();
+  for (const std::string& setting : candidate.settings)
+    settings[key_of(setting)] = shown_value(setting);
+  return {{"label", candidate.label},       {"settings", settings},
+          {"avoids", candidate.is_free},    {"folder", candidate.folder},
+          {"warnings", candidate.warnings}, {"nominal", candidate.nominal}};
+}
+
+json verdict_json(const Verdict& verdict) {
+  json measures = json::object();
+  for (const auto& [name, spread] : verdict.measures)
+    measures[name] = {{"median", spread.median},
+                      {"low", spread.low},
+                      {"high", spread.high},
+                      {"better", spread.better}};
+  return {{"measures", measures},
+          {"keeps_limits", verdict.keeps_limits},
+          {"level", verdict.level},
+          {"is_answer", verdict.is_answer}};
+}
+
+/// The uncertain inputs: how much they matter, and what their ends come to.
+json uncertain_json(const Record& record) {
+  std::vector<const Candidate*> subjects{&record.reference};
+  for (const std::size_t i : record.finalists) subjects.push_back(&record.candidates[i]);
+  json inputs = json::array();
+  for (std::size_t i = 0; i < record.plan.uncertain.size(); ++i) {
+    const Dimension& input = record.plan.uncertain[i];
+    std::vector<double> values;
+    for (const Sample& sample : record.samples) values.push_back(sample.values[i]);
+    json correlations = json::object();
+    for (const Measure* objective : record.plan.objectives)
+      correlations[objective->name] = mean_correlation(values, subjects, objective->name);
+    json ends = json::array();
+    for (const End& end : record.ends)
+      if (end.input == i)
+        ends.push_back(
+            {{"subject", end.subject},
+             {"end", end.is_high ? "high" : "low"},
+             {"keeps_limits", keeps(record.plan.limits_of(Measure::Of::oocyte), end.values)},
+             {"values", end.values}});
+    json entry = {{"key", input.key},  {"unit", input.unit},           {"source", input.source},
+                  {"samples", values}, {"correlations", correlations}, {"ends", ends}};
+    if (input.is_list()) {
+      entry["values"] = input.values;
+    } else {
+      entry["range"] = {input.low, input.high};
+    }
+    inputs.push_back(entry);
+  }
+  return inputs;
+}
+
+std::string table(const Record& record) {
+  const auto cell = [](const Measure& measure, const Verdict& verdict) {
+    const auto found = verdict.measures.find(measure.name);
+    if (found == verdict.measures.end()) return std::string("unknown");
+    const Spread& s = found->second;
+    return fmt::format("{} ({}-{})", shown_number(measure, s.median), shown_number(measure, s.low),
+                       shown_number(measure, s.high));
+  };
+  std::string text = fmt::format("{:>4}  {:<24}{:>7}", "rank", "design", "limits");
+  for (const Measure* m : record.plan.objectives)
+    text +=
+        fmt::format("{:>28}", m->title + (m->shown_unit.empty() ? "" : " [" + m->shown_unit + "]"));
+  text += "  better\n";
+  const auto add = [&](const std::string& rank, const Candidate& candidate,
+                       const Verdict& verdict) {
+    text +=
+        fmt::format("{:>4}  {:<24}{:>5.0f} %", rank, candidate.label, 100 * verdict.keeps_limits);
+    for (const Measure* measure : record.plan.objectives)
+      text += fmt::format("{:>28}", cell(*measure, verdict));
+    const auto first = verdict.measures.find(record.plan.objectives.front()->name);
+    text += first == verdict.measures.end()
+                ? "\n"
+                : fmt::format("{:>6.0f} %{}\n", 100 * first->second.better,
+                              verdict.is_answer ? "  *" : "");
+  };
+  add("", record.reference, *record.reference_verdict);
+  for (std::size_t r = 0; r < record.finalists.size(); ++r)
+    add(std::to_string(r + 1), record.candidates[record.finalists[r]], record.verdicts[r]);
+  const auto answers = std::count_if(record.verdicts.begin(), record.verdicts.end(),
+                                     [](const Verdict& verdict) { return verdict.is_answer; });
+  text += fmt::format(
+      "Medians over {} samples of the uncertain inputs, 5 to 95 % in brackets. Better: share of "
+      "the samples in which {} is below the reference's.\n",
+      record.samples.size(), record.plan.objectives.front()->title);
+  const std::string without =
+      record.plan.avoid.empty() ? "" : " without " + joined(record.plan.avoid);
+  text += answers > 0 ? fmt::format(
+                            "{} designs{} (*) keep to the limits and are better in at least "
+                            "{:.0f} % of the samples.\n",
+                            answers, without, 100 * record.plan.confidence)
+                      : fmt::format(
+                            "No design{} keeps to the limits and is better in {:.0f} % of the "
+                            "samples, in the ranges tried.\n",
+                            without, 100 * record.plan.confidence);
+  for (const End& end : record.ends)
+    if (!keeps(record.plan.limits_of(Measure::Of::oocyte), end.values))
+      text += fmt::format("With {} at the {} end of its range {} leaves the limits.\n",
+                          record.plan.uncertain[end.input].key, end.is_high ? "high" : "low",
+                          end.subject);
+  return text;
+}
+
+}  // namespace
+
+void write_designs(const Record& record, const RunDirectory& directory) {
+  std::vector<Column> columns{{"design", ""}};
+  add_ranges(record.plan, columns);
+  for (const std::string& name : measure_names(Measure::Of::tip))
+    columns.push_back({name, find_measure(name).unit});
+  HistoryFile file(directory.file("designs.csv"), columns);
+  for (const Design& design : record.tips.designs) {
+    auto [words, row] = words_and_numbers(record.plan, design.settings);
+    for (const std::string& name : measure_names(Measure::Of::tip))
+      row.push_back(design.tip.at(name));
+    file.add(words, row);
+  }
+}
+
+void write_record(const Record& record, Session& session) {
+  json& results = session.results;
+  results["beams"] = {{"designs", record.tips.designs.size()},
+                      {"impossible", record.tips.impossible},
+                      {"seconds", record.tip_seconds}};
+  json titles = json::object();
+  for (const Measure& measure : measures())
+    titles[measure.name] = {{"title", measure.title},
+                            {"factor", measure.shown_factor},
+                            {"unit", measure.shown_unit},
+                            {"meaning", measure.documentation}};
+  results["measures"] = titles;
+  results["tip_objectives"] = json::array();
+  for (const Measure* objective : record.plan.tip_objectives)
+    results["tip_objectives"].push_back(objective->name);
+  json limits = json::array();
+  for (const Limit& limit : record.plan.limits) limits.push_back(limit.text());
+  results["limits"] = limits;
+  json objectives = json::array();
+  for (const Measure* objective : record.plan.objectives) objectives.push_back(objective->name);
+  results["objectives"] = objectives;
+  results["avoid"] = record.plan.avoid;
+  results["confidence"] = record.plan.confidence;
+  results["reference"] = candidate_json(record.reference);
+  if (record.reference_verdict)
+    results["reference"].update(verdict_json(*record.reference_verdict));
+  json list = json::array();
+  for (const Candidate& candidate : record.candidates) list.push_back(candidate_json(candidate));
+  for (std::size_t rank = 0; rank < record.verdicts.size(); ++rank) {
+    list[record.finalists[rank]].update(verdict_json(record.verdicts[rank]));
+    list[record.finalists[rank]]["rank"] = rank + 1;
+  }
+  results["candidates"] = list;
+  results["trials"] = record.trials.size();
+  if (record.verdicts.empty()) return;  // interrupted
+  results["uncertain"] = uncertain_json(record);
+  write_samples(record, session.directory);
+  write_trials(record, session.directory);
+  write_candidates(record, session.directory);
+  session.conclusion = table(record);
+  session.directory.write("ranking.txt", session.conclusion);
+}
+
+}  // namespace zona::studies::search

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "studies/input/configuration.h"
+
+namespace zona::studies::search {
+
+/// What makes one study of another: "pulse.duration=\"63.2 us\"", as --set takes it.
+using Settings = std::vector<std::string>;
+
+/// A key of the study that is varied: through a range, or through a list of values.
+struct Dimension {
+  std::string name;                 ///< of its table in the search
+  std::string key;                  ///< "pulse.duration"
+  std::vector<std::string> values;  ///< of a list, as TOML
+  double low = 0, high = 0;         ///< of a range, in the unit it is written in
+  std::string unit;                 ///< that it is written in; empty for a pure number
+  bool is_logarithmic = false;      ///< even in the logarithm
+  std::string source;               ///< where the range comes from
+
+  bool is_list() const { return !values.empty(); }
+  /// The value at a share of the range, in its unit, to four digits.
+  double value(double share) const;
+  /// The setting at a share of the range, or of the value by its number.
+  std::string at(double share) const;
+  std::string choose(std::size_t number) const;
+};
+
+/// The tables of a list of variables or uncertain inputs. Throws InputError for keys and values
+/// that `base` does not have.
+std::vector<Dimension> dimensions_from(const Configuration& search, const std::string& list,
+                                       const Configuration& base);
+
+/// `samples` points in the unit cube of `dimensions`, one in each of `samples` layers of every
+/// axis (McKay, Beckman and Conover 1979). The same for the same seed on every machine.
+std::vector<std::vector<double>> latin_hypercube(std::size_t dimensions, std::size_t samples,
+                                                 std::uint64_t seed);
+
+/// All combinations of the numbers of the values of the dimensions that are lists; one, empty, when
+/// there is no list.
+std::vector<std::vector<std::size_t>> combinations(const std::vector<Dimension>& dimensions);
+
+/// The design of one of these combinations, at a point of the unit cube of the ranges.
+Settings settings_at(const std::vector<Dimension>& dimensions,
+                     const std::vector<std::size_t>& combination, const std::vector<double>& place);
+
+/// The value of a setting for people: "63.2 us" of "pulse.duration=\"63.2 us\"".
+std::string shown_value(const std::string& setting);
+std::string key_of(const std::string& setting);
+
+}  // namespace zona::studies::search

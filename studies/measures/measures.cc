@@ -1,0 +1,54 @@
+#include "studies/measures/measures.h"
+
+#include <fmt/format.h>
+
+namespace zona::studies {
+
+Measures::Measures(const Configuration& study, const mpm::Solver& solver,
+                   const Eigen::Vector3d& origin, double end,
+                   const std::filesystem::path& directory, bool goes_on)
+    : solver_(solver) {
+  const bool has_profiles = study.item_count("profile") + study.item_count("section") > 0;
+  if (!has_profiles && study.item_count("probe") == 0) return;
+  bodies_.emplace(solver);
+  for (const Table& table : study.items("probe")) {
+    names_.push_back(table.name());
+    probes_.emplace_back(table, solver.grid(), origin, *bodies_);
+  }
+  if (has_profiles) profiles_.emplace(study, solver, origin, *bodies_, end, directory, goes_on);
+}
+
+void Measures::add_columns(std::vector<Column>& columns) const {
+  for (const Probe& probe : probes_) {
+    for (Column& column : probe.columns()) columns.push_back(std::move(column));
+  }
+}
+
+void Measures::add_values(std::vector<double>& row) {
+  if (!probes_.empty()) bodies_->refresh();
+  for (Probe& probe : probes_) {
+    const std::vector<double> values = probe.sample(*bodies_);
+    row.insert(row.end(), values.begin(), values.end());
+  }
+}
+
+void Measures::write_due() {
+  if (!profiles_ || !profiles_->is_due(solver_)) return;
+  bodies_->refresh();
+  profiles_->write_due(solver_, *bodies_);
+}
+
+void Measures::visit_state(mpm::StateVisitor& visitor) {
+  if (profiles_) profiles_->visit_state(visitor);
+  for (std::size_t p = 0; p < probes_.size(); ++p) {
+    probes_[p].visit_state(fmt::format("probes/{}", p), visitor);
+  }
+}
+
+void Measures::add_results(nlohmann::json& results) const {
+  for (std::size_t p = 0; p < probes_.size(); ++p) {
+    results["probes"][names_[p]] = probes_[p].results();
+  }
+}
+
+}  // namespace zona::studies

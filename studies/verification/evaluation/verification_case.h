@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/verification/evaluation/check.h"
+#include "studies/verification/evaluation/figure.h"
+#include "studies/verification/evaluation/run_results.h"
+
+namespace zona::studies::verification {
+
+/// How much of a case is computed: what fits into minutes, or everything.
+enum class Extent { quick, full };
+
+/// A run of a study file that a case needs.
+struct Run {
+  std::string label;                   ///< unique in its case; names its folder, e.g. "cell-5mm"
+  std::string file;                    ///< bundled study file, e.g. "verification/impact.toml"
+  std::vector<std::string> overrides;  ///< key=TOML-value
+};
+
+/// What the runs of a case say.
+struct Evaluation {
+  std::vector<Check> checks;
+  std::vector<Figure> figures;
+  std::vector<std::string> remarks;  ///< what differs from the dissertation, by how much, and why
+};
+
+/// An example of the dissertation, or a basic problem that it lacks, with its reference solution.
+/// What is computed stands in study files alone; a case only compares.
+struct Case {
+  std::string name;       ///< "shock_tube"; what the command line calls it
+  std::string title;      ///< "Shock tube"
+  std::string source;     ///< section, table and figure numbers; empty: not in the dissertation
+  std::string reference;  ///< what the results are held against
+  std::function<std::vector<Run>(Extent)> runs;
+  std::function<Evaluation(const CaseResults&, Extent)> evaluate;
+};
+
+/// All cases, in the order of the dissertation.
+const std::vector<Case>& cases();
+
+}  // namespace zona::studies::verification

@@ -1,0 +1,127 @@
+#include "tests/studies/call.h"
+#include "tests/studies/study_files.h"
+
+using namespace zona::studies::testing;
+using Catch::Contains;
+
+namespace {
+
+const std::string studies = ZONA_SOURCE_DIR "/studies/";
+const std::string small_egg =
+    " --set 'grid.cell=\"12 um\"' --set 'grid.domain=\"168 um\"' --set zona.level=4"
+    " --set zona.elastic_limit=0.002 --set cytoplasm.points_per_cell=1 --set output.fields=false";
+
+bool has_validator() {
+  const bool found = run_command("/usr/bin/python3 -c 'import jsonschema'").code == 0;
+  if (!found) WARN("python3-jsonschema is not there to validate with");
+  return found;
+}
+
+/// Runs a study and validates its summary against the published schema.
+void check_summary(const std::string& arguments, int code, const std::string& status) {
+  const ScratchDirectory scratch;
+  const auto out = scratch.path() / "out";
+  const Answer run = call("run " + arguments + " --quiet --out " + out.string());
+  INFO(run.text);
+  CHECK(run.code == code);
+  const std::string summary = (out / "summary.json").string();
+  CHECK_THAT(read_text(summary), Contains("\"status\": \"" + status + "\""));
+  const Answer valid = run_command("/usr/bin/python3 -W ignore -m jsonschema -i " + summary +
+                                   " " ZONA_SOURCE_DIR "/studies/report/summary.schema.json");
+  INFO(valid.text);
+  CHECK(valid.code == 0);
+}
+
+}  // namespace
+
+TEST_CASE("summary.json of every kind of study follows its published schema") {
+  if (!has_validator()) return;
+  const std::string piercing = studies + "piercing_lateral_quick.toml" + small_egg;
+  SECTION("vibration") {
+    check_summary(studies + "vibration.toml --set output.history=false", 0, "complete");
+  }
+  SECTION("vibration and piercing after an oblique pulse") {
+    const std::string oblique = " --set 'pulse.angle=\"45 deg\"'";
+    check_summary(studies + "vibration.toml" + oblique, 0, "complete");
+    check_summary(
+        studies + "piercing_beam_quick.toml" + small_egg + oblique + " --set 'time.end=\"1 us\"'",
+        0, "complete");
+  }
+  SECTION("piercing, with a probe") {
+    const ScratchDirectory scratch;
+    const auto file =
+        scratch.write("s.toml", "base = \"" + studies +
+                                    "piercing_lateral_quick.toml\"\n[[probe]]\nname = \"p\"\nbody "
+                                    "= \"zona\"\nplace = [\"50 um\", \"0 m\", \"0 m\"]\n");
+    check_summary(file.string() + small_egg + " --set 'time.end=\"1 us\"'", 0, "complete");
+  }
+  SECTION("piercing with decohesion") {
+    check_summary(piercing + " --set 'time.end=\"2 us\"' --set 'zona.law=\"decohesion\"'", 0,
+                  "complete");
+  }
+  SECTION("comparison") {
+    check_summary(studies + "mercury_vs_water.toml" + small_egg +
+                      " --set 'time.end=\"4 us\"' --set 'fill.fluids=[\"water\", \"none\"]'",
+                  0, "complete");
+  }
+  SECTION("search") {
+    const ScratchDirectory scratch;
+    scratch.write("reference.toml",
+                  "base = \"" + studies +
+                      "piercing_beam_quick.toml\"\n[grid]\ncell = \"12 um\"\ndomain = \"168 "
+                      "um\"\n[zona]\nlevel = 4\nelastic_limit = 0.002\n[cytoplasm]\n"
+                      "points_per_cell = 1\n[motion]\nwindow_length = \"1 us\"\n");
+    const auto file = scratch.write("s.toml", R"(
+study = "search"
+[search]
+study = "reference.toml"
+samples = 4
+evaluations = 2
+candidates = 2
+refinements = 1
+uncertainty_samples = 2
+[[variable]]
+key = "fill.fluid"
+values = ["water", "none"]
+[[variable]]
+key = "pulse.peak"
+range = ["3 um", "20 um"]
+[[uncertain]]
+key = "zona.youngs_modulus"
+range = ["3 kPa", "23 kPa"]
+[[uncertain]]
+key = "cytoplasm.points_per_cell"
+values = [1, 8]
+)");
+    check_summary(file.string(), 0, "complete");
+  }
+  SECTION("scene") {
+    check_summary(studies + "verification/hanging_bar.toml --set 'time.end=\"1 ms\"'", 0,
+                  "complete");
+  }
+  SECTION("scene with held nodes") {
+    check_summary(studies + "verification/stokes.toml --set 'profile=[]' --set 'time.end=\"1 ms\"'",
+                  0, "complete");
+  }
+  SECTION("material points, with and without an opening") {
+    check_summary(studies + "point_zona.toml", 0, "complete");
+    check_summary(studies + "point_uniaxial.toml", 0, "complete");
+  }
+  SECTION("what failed, and says why") {
+    check_summary(piercing + " --set 'motion.amplitude=\"900 um\"' --set 'time.end=\"40 us\"'", 3,
+                  "failed");
+  }
+}
+
+TEST_CASE("the schema refuses keys that it does not document") {
+  if (!has_validator()) return;
+  const ScratchDirectory scratch;
+  const auto out = scratch.path() / "out";
+  REQUIRE(call("run " + studies + "vibration.toml --quiet --out " + out.string()).code == 0);
+  std::string text = read_text(out / "summary.json");
+  text.replace(text.find("peak_velocity"), 13, "peek_velocity");
+  const auto changed = scratch.write("changed.json", text);
+  CHECK(run_command("/usr/bin/python3 -W ignore -m jsonschema -i " + changed.string() +
+                    " " ZONA_SOURCE_DIR "/studies/report/summary.schema.json")
+            .code == 1);
+}

@@ -1,0 +1,99 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "studies/program/bundled_studies.h"
+#include "studies/verification/campaign.h"
+#include "studies/verification/evaluation/verification_case.h"
+#include "tests/scratch_directory.h"
+#include "tests/studies/call.h"
+#include "tests/studies/study_files.h"
+
+using namespace zona::studies;
+using namespace zona::studies::verification;
+using namespace zona::studies::testing;
+using Catch::Contains;
+using zona::tests::ScratchDirectory;
+namespace fs = std::filesystem;
+
+TEST_CASE("checks pass and fail at their limits") {
+  CHECK(near("a", 1.009, 1, 0.01, "").verdict == Verdict::passed);
+  CHECK(near("a", -1.02, -1, 0.01, "").verdict == Verdict::failed);
+  CHECK(near("a", NAN, 1, 0.01, "").verdict == Verdict::failed);
+  CHECK(within("a", 0.5, 0, 0.5, "").verdict == Verdict::passed);
+  CHECK(within("a", -0.6, 0, 0.5, "").verdict == Verdict::failed);
+  CHECK(at_most("a", NAN, 1, "").verdict == Verdict::failed);
+  CHECK(at_least("a", 1, 1, "").verdict == Verdict::passed);
+  CHECK(verdict_of({told("a", 1, "none", "")}) == Verdict::passed);
+  CHECK(verdict_of({told("a", 1, "none", ""), at_most("a", 2, 1, "")}) == Verdict::failed);
+}
+
+TEST_CASE("a check of convergence holds the slope of the errors against a limit") {
+  CHECK(converges("a", {0.1, 0.2}, {1, 2}, 0.99, "").verdict == Verdict::passed);
+  CHECK(converges("a", {0.1, 0.2}, {1, 2}, 1.1, "").verdict == Verdict::failed);
+}
+
+TEST_CASE("tables of a run are read by the names of their columns") {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "table.csv") << "time [s],failed_points\n0,1\n0.5,inf\n1,3\n";
+  const ResultTable table(scratch / "table.csv");
+  CHECK(table.rows() == 3);
+  CHECK(interpolate(table["time"], {1, 2, 3}, 0.75) == Approx(2.5));
+  CHECK(interpolate(table["time"], {1, 2, 3}, 9) == 3);
+  CHECK(std::isinf(table["failed_points"][1]));
+  CHECK_THROWS_WITH(table["tme"], Contains("has no column tme; there are time, failed_points"));
+  std::ofstream(scratch / "named.csv") << "profile,x\nfine,1\ncoarse,2\nfine,3\n";
+  const ResultTable named(scratch / "named.csv");
+  CHECK(named.where("profile", "fine")["x"] == std::vector<double>{1, 3});
+  CHECK_THROWS_WITH(named.where("profile", "none"), Contains("no row whose profile is none"));
+  std::ofstream(scratch / "torn.csv") << "a,b\n1,2\n3\n";
+  CHECK_THROWS_WITH(ResultTable(scratch / "torn.csv"), Contains("torn"));
+  CHECK_THROWS_WITH(RunResults(scratch.path()), Contains("summary.json"));
+}
+
+TEST_CASE("every verification case asks for valid runs, each once") {
+  std::vector<const Case*> all;
+  std::set<std::string> names;
+  for (const Case& c : cases()) {
+    all.push_back(&c);
+    CHECK(names.insert(c.name).second);
+    for (const Extent extent : {Extent::quick, Extent::full}) {
+      std::set<std::string> labels;
+      for (const Run& run : c.runs(extent)) {
+        INFO(c.name << ", " << run.label);
+        CHECK(labels.insert(run.label).second);
+        CHECK_NOTHROW(load_configuration(study_directory() / run.file, run.overrides));
+      }
+    }
+  }
+}
+
+TEST_CASE("zona verify computes what is missing, and only that") {
+  const ScratchDirectory scratch;
+  const std::string command = "verify pipette_frequencies --quick --out " + scratch.path();
+  const Answer first = call(command);
+  CHECK(first.code == 0);
+  CHECK_THAT(first.text, Contains("pipette_frequencies: pass") && Contains("1 of 1 cases passed"));
+  CHECK_THAT(read_text(scratch / "verification.md"), Contains("| frequency 1 of Table 5.6"));
+
+  const fs::path run = fs::path(scratch.path()) / "pipette_frequencies" / "elements-20";
+  const auto computed = fs::last_write_time(run / "summary.json");
+  CHECK_THAT(call(command).text, Contains("nothing"));
+  CHECK(fs::last_write_time(run / "summary.json") == computed);
+
+  std::ofstream(run / "summary.json") << "{";
+  const Answer again = call(command);
+  CHECK(again.code == 0);
+  CHECK_THAT(again.text, Contains("elements-20") && !Contains(", elements-10"));
+}
+
+TEST_CASE("zona verify explains what it does not know, and lists what it knows") {
+  CHECK(call("verify pipete_amplitude").code == 2);
+  CHECK_THAT(call("verify pipete_amplitude").text, Contains("did you mean pipette_amplitude?"));
+  const ScratchDirectory scratch;
+  const Answer list = call("verify --list --out " + (scratch / "none"));
+  CHECK(list.code == 0);
+  CHECK_THAT(list.text, Contains("support_motion"));
+  CHECK_FALSE(fs::exists(scratch / "none"));
+}
