@@ -1,6 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "mpm/membranes/membrane_kinematics.h"
 
@@ -18,6 +19,18 @@ Eigen::Vector3d reference_normal(const Triangle& t, const std::vector<Eigen::Vec
 std::array<int, 2> other_vertices(const Triangle& t, int point) {
   const int v = t[0] == point ? 0 : t[1] == point ? 1 : 2;
   return {t[(v + 1) % 3], t[(v + 2) % 3]};
+}
+
+/// The least rotation that turns one unit vector into another, not its opposite. Eigen's
+/// FromTwoVectors does the same, but compiles a singular value decomposition for the opposite.
+Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d a = from.normalized();
+  const Eigen::Vector3d b = to.normalized();
+  const double twice_cosine = std::sqrt((1 + b.dot(a)) * 2);
+  Eigen::Quaterniond turn;
+  turn.vec() = a.cross(b) * (1 / twice_cosine);
+  turn.w() = twice_cosine * 0.5;
+  return turn;
 }
 
 }  // namespace
@@ -68,8 +81,7 @@ void DeformationGradientKinematics::build_weights(int point, const Surface& surf
     const Triangle& triangle = surface.triangles()[*t];
     const auto [b, c] = other_vertices(triangle, point);
     // The triangle, turned into the point's tangent plane about their common line.
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(reference_normal(triangle, reference_), normal);
+    const Eigen::Quaterniond turn = turn_between(reference_normal(triangle, reference_), normal);
     Eigen::Matrix2d edges;
     edges.col(0) = basis.transpose() * (turn * (reference_[b] - reference_[point]));
     edges.col(1) = basis.transpose() * (turn * (reference_[c] - reference_[point]));
