@@ -3,7 +3,7 @@
 
     docs/site/open_pages.py SITE
 
-The home page, a page of formulas, and a search from a file. Ends with 77 where there is no Chromium, or no site.
+The home page, pages of formulas, and a search from a file. Ends with 77 where there is no Chromium, or no site.
 """
 
 import pathlib
@@ -28,7 +28,7 @@ def open_page(address):
 
 
 def problems_of(site):
-    for page in ("index.html", "docs/theory/mpm.html"):
+    for page in ("index.html", "docs/theory/mpm.html", "docs/theory/beam.html"):
         text, problems = open_page(f"{(site / page).as_uri()}")
         yield from (f"{page}: {problem}" for problem in problems)
         if 'class="katex-error"' in text:
