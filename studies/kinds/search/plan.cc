@@ -61,11 +61,11 @@ Configuration base_from(const Configuration& search) {
   Configuration base = load_reference(search.path("search.study"));
   const std::string& drive = base.choice("motion.kind");
   if (drive == "beam") return base;
-  throw InputError({search.problem(
+  throw InputError(search.problem(
       "search.study",
       fmt::format("{} moves its tip by motion.kind = \"{}\"; needs a piercing study with "
                   "motion.kind = \"beam\"",
-                  base.file().filename().string(), drive))});
+                  base.file().filename().string(), drive)));
 }
 
 void check_apart(const Configuration& search, const Plan& plan) {
