@@ -10,7 +10,7 @@
 #include "studies/kinds/scene/body.h"
 #include "studies/measures/profiles.h"
 #include "studies/parameters/numerics_parameters.h"
-#include "studies/simulation/solver_march.h"
+#include "studies/parameters/time_step.h"
 
 namespace zona::studies {
 

@@ -87,8 +87,8 @@ void check_apart(const Configuration& search, const Plan& plan) {
 
 }  // namespace
 
-Configuration load_reference(const std::filesystem::path& file, const Settings& settings) {
-  return load_configuration(file, settings, {&piercing_schema()});
+Configuration load_reference(const std::filesystem::path& file, const Overrides& overrides) {
+  return load_configuration(file, overrides, {&piercing_schema()});
 }
 
 double Limit::excess(double value) const {
@@ -114,8 +114,8 @@ std::vector<Limit> Plan::limits_of(Measure::Of of) const {
   return chosen;
 }
 
-Configuration Plan::study(const Settings& settings) const {
-  return load_reference(base.file(), settings);
+Configuration Plan::study(const Overrides& overrides) const {
+  return load_reference(base.file(), overrides);
 }
 
 Plan plan_from(const Configuration& search) {

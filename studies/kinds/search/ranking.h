@@ -11,15 +11,13 @@ namespace zona::studies::search {
 
 /// A design that pierces, or the reference.
 struct Candidate {
-  std::string label;   ///< "FC-40 2"; "reference"
-  Settings settings;   ///< beside those of the base
-  bool is_free;        ///< of the fluids to be avoided
-  std::string folder;  ///< of its piercing with the base's inputs
-  Values nominal;      ///< with the base's inputs; without oocyte's measures where it failed
+  std::string label;    ///< "FC-40 2"; "reference"
+  Overrides overrides;  ///< of the base
+  bool is_free;         ///< of the fluids to be avoided
+  std::string folder;   ///< of its piercing with the base's inputs
+  Values nominal;       ///< with the base's inputs; without oocyte's measures where it failed
   std::vector<std::string> warnings{};  ///< where the bath's load is taken too far
   std::vector<Values> samples{};  ///< with each sample of the uncertain inputs; empty: no finalist
-
-  bool is_finalist() const { return !samples.empty(); }
 };
 
 /// A measure over the samples.

@@ -23,11 +23,11 @@ void add_ranges(const Plan& plan, std::vector<Column>& columns) {
 
 /// The listed values of a design in words, and its numbers.
 std::pair<std::string, std::vector<double>> words_and_numbers(const Plan& plan,
-                                                              const Settings& settings) {
+                                                              const Overrides& overrides) {
   std::string words;
   std::vector<double> numbers;
   for (std::size_t i = 0; i < plan.variables.size(); ++i) {
-    const std::string value = shown_value(settings[i]);
+    const std::string value = shown_value(overrides[i]);
     if (plan.variables[i].is_list()) {
       words += (words.empty() ? "" : "; ") + value;
     } else {
@@ -61,21 +61,21 @@ void write_samples(const Record& record, const RunDirectory& directory) {
   }
 }
 
-/// Way by way, in the order in which they were made.
-void write_trials(const Record& record, const RunDirectory& directory) {
-  if (record.trials.empty()) return;
+/// Evaluations of the local searches, one search after the other.
+void write_evaluations(const Record& record, const RunDirectory& directory) {
+  if (record.evaluations.empty()) return;
   std::vector<Column> columns{{"design", ""}, {"way", ""}};
   add_ranges(record.plan, columns);
   columns.push_back({"cost", ""});
   for (const Measure& measure : measures()) columns.push_back({measure.name, measure.unit});
   HistoryFile file(directory.file("trials.csv"), columns);
-  for (const Trial& trial : record.trials) {
-    const auto [words, numbers] = words_and_numbers(record.plan, trial.design.settings);
-    std::vector<double> row{static_cast<double>(trial.start + 1)};
+  for (const Evaluation& evaluation : record.evaluations) {
+    const auto [words, numbers] = words_and_numbers(record.plan, evaluation.design.overrides);
+    std::vector<double> row{static_cast<double>(evaluation.start + 1)};
     row.insert(row.end(), numbers.begin(), numbers.end());
-    row.push_back(trial.cost);
+    row.push_back(evaluation.cost);
     for (const Measure& measure : measures())
-      row.push_back(value_or_nan(trial.values, measure.name));
+      row.push_back(value_or_nan(evaluation.values, measure.name));
     file.add(words, row);
   }
 }
@@ -86,15 +86,15 @@ void write_candidates(const Record& record, const RunDirectory& directory) {
   for (std::size_t rank = 0; rank < record.finalists.size(); ++rank) {
     const Candidate& candidate = record.candidates[record.finalists[rank]];
     directory.write(fmt::format("candidates/{}.toml", rank + 1),
-                    resolved_study(record.plan.study(candidate.settings)));
+                    resolved_study(record.plan.study(candidate.overrides)));
   }
 }
 
 json candidate_json(const Candidate& candidate) {
-  json settings = json::object();
-  for (const std::string& setting : candidate.settings)
-    settings[key_of(setting)] = shown_value(setting);
-  return {{"label", candidate.label},       {"settings", settings},
+  json overrides = json::object();
+  for (const std::string& entry : candidate.overrides)
+    overrides[key_of(entry)] = shown_value(entry);
+  return {{"label", candidate.label},       {"settings", overrides},
           {"avoids", candidate.is_free},    {"folder", candidate.folder},
           {"warnings", candidate.warnings}, {"nominal", candidate.nominal}};
 }
@@ -205,7 +205,7 @@ void write_designs(const Record& record, const RunDirectory& directory) {
     columns.push_back({name, find_measure(name).unit});
   HistoryFile file(directory.file("designs.csv"), columns);
   for (const Design& design : record.tips.designs) {
-    auto [words, row] = words_and_numbers(record.plan, design.settings);
+    auto [words, row] = words_and_numbers(record.plan, design.overrides);
     for (const std::string& name : measure_names(Measure::Of::tip))
       row.push_back(design.tip.at(name));
     file.add(words, row);
@@ -245,11 +245,11 @@ void write_record(const Record& record, Session& session) {
     list[record.finalists[rank]]["rank"] = rank + 1;
   }
   results["candidates"] = list;
-  results["trials"] = record.trials.size();
+  results["trials"] = record.evaluations.size();
   if (record.verdicts.empty()) return;  // interrupted
   results["uncertain"] = uncertain_json(record);
   write_samples(record, session.directory);
-  write_trials(record, session.directory);
+  write_evaluations(record, session.directory);
   write_candidates(record, session.directory);
   session.conclusion = table(record);
   session.directory.write("ranking.txt", session.conclusion);
