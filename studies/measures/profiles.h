@@ -24,7 +24,7 @@ class Profiles {
            const TrackedBodies& bodies, double end, const std::filesystem::path& directory,
            bool is_resumed);
 
-  /// Whether `write_due` would write something.
+  /// `write_due` would write something.
   bool is_due(const mpm::Solver& solver) const;
   /// Writes the profiles whose time has come, give or take half a step; call it at the start and
   /// after every step.

@@ -9,8 +9,8 @@
 
 namespace zona::studies {
 
-/// What a kind of study follows of a simulation, besides what every `Simulation` writes. All calls
-/// come from one thread.
+/// Follows a simulation for a kind of study, in addition to what every `Simulation` writes. All
+/// calls come from one thread.
 class Observer {
  public:
   virtual ~Observer() = default;

@@ -30,7 +30,7 @@ struct SimulatedModel {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 };
 
-/// Where and how a simulation runs; it may be one of several that run side by side.
+/// Surroundings of a simulation, which may be one of several that run side by side.
 struct SimulationContext {
   const Configuration& study;  ///< for [[probe]], [[profile]] and [[section]]
   OutputPlan output;
@@ -81,7 +81,7 @@ class Simulation {
   void store();
   void sample();
   void write_frame();
-  /// Whether an instant has come, give or take a rounding error.
+  /// The instant has come, give or take a rounding error.
   bool is_due(double instant) const;
   void add_cost(nlohmann::json& results) const;
 

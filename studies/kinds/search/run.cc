@@ -94,10 +94,10 @@ class SearchRun {
   void refine_candidates();
   void pierce_finalists();
   void pierce_ends();
-  /// Numbers of candidates that the second optimiser starts from.
+  /// Numbers of the candidates that the second optimiser starts from.
   std::vector<std::size_t> starts() const;
   Candidate candidate_of(const std::string& label, const Design& design) const;
-  /// What its piercing with the base's inputs has come to.
+  /// Takes the result of a candidate's piercing with the base's inputs.
   void take_result(const Configuration& piercing, const json& result, Candidate& candidate) const;
 
   Session& session_;

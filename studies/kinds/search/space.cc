@@ -13,7 +13,7 @@ namespace zona::studies::search {
 
 namespace {
 
-/// What stands behind the number of a quantity: "us" of "20 us".
+/// The unit of a quantity as it is written: "us" of "20 us".
 std::string unit_of(const TomlValue& value) {
   if (value.type != TomlValue::Type::text) return "";
   char* end = nullptr;

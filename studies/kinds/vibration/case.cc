@@ -15,11 +15,11 @@ namespace zona::studies {
 
 namespace {
 
-constexpr Eigen::Index kReportedFrequencies = 10;
+constexpr Eigen::Index reported_frequencies = 10;
 
 void add_modes(FilledPipette& filled) {
   const beam::NaturalModes modes = beam::natural_modes(filled.system);
-  const Eigen::Index count = std::min(modes.angular_frequency.size(), kReportedFrequencies);
+  const Eigen::Index count = std::min(modes.angular_frequency.size(), reported_frequencies);
   const beam::ModalOscillators lowest =
       beam::oscillators(filled.system, modes, static_cast<int>(count));
   for (Eigen::Index n = 0; n < count; ++n) {
@@ -28,7 +28,7 @@ void add_modes(FilledPipette& filled) {
   }
 }
 
-/// When a motion of straight pieces is at rest for good [s]; 0 for a sine.
+/// Time after which a motion of straight pieces stays at rest [s]; 0 for a sine.
 double end_of_pulse(const beam::SupportMotion& motion) {
   const auto* pieces = std::get_if<beam::SampledMotion>(&motion);
   return pieces == nullptr ? 0 : pieces->time.back();

@@ -75,7 +75,7 @@ struct VibrationResult {
   beam::TipHistory history;  ///< empty when it is not to be kept
 };
 
-/// Whether the pulse moves the tip along the pipette, too.
+/// The pulse moves the tip along the pipette, too.
 bool is_oblique(const std::vector<VibrationResult>& results);
 
 /// Amplitude ratios as a table, one row per fluid and one column per pulse; "-" where there is
