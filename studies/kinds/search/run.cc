@@ -39,7 +39,7 @@ std::vector<Sample> samples_of(const Plan& plan) {
   return samples;
 }
 
-Overrides joined(const Overrides& a, const Overrides& b) {
+Overrides combined(const Overrides& a, const Overrides& b) {
   Overrides both = a;
   both.insert(both.end(), b.begin(), b.end());
   return both;
@@ -202,7 +202,7 @@ void SearchRun::pierce_finalists() {
   for (const Sample& sample : record_.samples) {
     studies.push_back(plan_.study(sample.overrides));
     for (const std::size_t i : record_.finalists)
-      studies.push_back(plan_.study(joined(sample.overrides, record_.candidates[i].overrides)));
+      studies.push_back(plan_.study(combined(sample.overrides, record_.candidates[i].overrides)));
   }
   const auto results = store_.run(studies, "piercings with uncertain inputs", session_);
   if (Interrupt::requested()) return;
@@ -243,7 +243,7 @@ void SearchRun::pierce_ends() {
                               : dimension.at(is_high ? 1 : 0)};
       TipMeter meter(plan_, end);
       for (const Candidate* subject : {&record_.reference, &record_.candidates[best]}) {
-        studies.push_back(plan_.study(joined(end, subject->overrides)));
+        studies.push_back(plan_.study(combined(end, subject->overrides)));
         record_.ends.push_back(
             {input, is_high, subject->label, meter.measure(subject->overrides).value_or(Values{})});
       }
