@@ -6,10 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "coupling/tip_trace.h"
+#include "mpm/files/read_file.h"
 
 namespace zona::coupling {
 
@@ -225,13 +224,10 @@ TipHistory parse_tip_trace_csv(std::string_view text, const std::string& name) {
 }
 
 TipHistory read_tip_trace_csv(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
+  const std::optional<std::string> text = mpm::read_file(path);
+  if (!text)
     throw TraceError(path, 0, 0, fmt::format("cannot open the file ({})", std::strerror(errno)));
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (text.bad()) throw TraceError(path, 0, 0, "cannot read the file");
-  return parse_tip_trace_csv(text.str(), path);
+  return parse_tip_trace_csv(*text, path);
 }
 
 }  // namespace zona::coupling

@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include "mpm/files/atomic_file.h"
+#include "mpm/files/read_file.h"
 
 namespace zona::mpm {
 
@@ -78,11 +77,9 @@ class Restoring : public StateVisitor {
 };
 
 void check_end(const std::string& path) {
-  std::ostringstream content;
-  if (!(content << std::ifstream(path, std::ios::binary).rdbuf()))
-    throw CheckpointError(path + ": cannot be read");
-  const std::string bytes = content.str();
-  const std::string_view whole = bytes;
+  const std::optional<std::string> content = read_file(path);
+  if (!content) throw CheckpointError(path + ": cannot be read");
+  const std::string_view whole = *content;
   const std::size_t size = whole.size() < end_size ? 0 : whole.size() - end_size;
   if (size == 0 || whole.substr(size) != end_of(whole.substr(0, size))) {
     throw CheckpointError(path + ": is damaged or not a checkpoint of Zona");

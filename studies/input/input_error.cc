@@ -33,8 +33,10 @@ std::string Problem::text() const {
 InputError::InputError(std::vector<Problem> problems)
     : std::runtime_error(all_problems(problems)), problems_(std::move(problems)) {}
 
+InputError::InputError(Problem problem) : InputError(std::vector<Problem>{std::move(problem)}) {}
+
 InputError::InputError(std::string where, std::string message)
-    : InputError(std::vector<Problem>{{std::move(where), "", std::move(message), 0}}) {}
+    : InputError(Problem{std::move(where), "", std::move(message), 0}) {}
 
 std::string printable(std::string_view text, std::size_t length) {
   const std::string_view shown = whole_characters(text, length);

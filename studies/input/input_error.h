@@ -23,6 +23,7 @@ struct Problem {
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Problem> problems);
+  explicit InputError(Problem problem);
   /// One problem that belongs to no key, e.g. an output directory that is in use.
   InputError(std::string where, std::string message);
 

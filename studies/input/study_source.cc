@@ -93,10 +93,10 @@ std::vector<SourcedEntry> file_layer(const std::filesystem::path& file, int laye
                          std::filesystem::absolute(file).parent_path(), false});
     }
   } catch (const TomlError& error) {
-    throw InputError({Problem{fmt::format("{}:{}", file.string(), error.line), "",
-                              fmt::format("this is not TOML: {}; a line reads e.g. cell = \"6 um\"",
-                                          printable(error.what(), 300)),
-                              error.line}});
+    throw InputError(Problem{fmt::format("{}:{}", file.string(), error.line), "",
+                             fmt::format("this is not TOML: {}; a line reads e.g. cell = \"6 um\"",
+                                         printable(error.what(), 300)),
+                             error.line});
   }
   return entries;
 }

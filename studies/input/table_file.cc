@@ -7,10 +7,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "mpm/files/read_file.h"
 #include "studies/input/units.h"
 
 namespace zona::studies {
@@ -130,12 +130,10 @@ std::vector<std::vector<double>> parse_table(const std::string& text, const std:
 
 std::vector<std::vector<double>> read_table(const std::string& path,
                                             const std::vector<TableColumn>& columns) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
+  const std::optional<std::string> text = mpm::read_file(path);
+  if (!text)
     throw std::runtime_error(fmt::format("{}: cannot be read ({})", path, std::strerror(errno)));
-  std::ostringstream text;
-  text << in.rdbuf();
-  return parse_table(text.str(), path, columns);
+  return parse_table(*text, path, columns);
 }
 
 }  // namespace zona::studies

@@ -6,7 +6,7 @@ namespace zona::studies {
 
 Measures::Measures(const Configuration& study, const mpm::Solver& solver,
                    const Eigen::Vector3d& origin, double end,
-                   const std::filesystem::path& directory, bool goes_on)
+                   const std::filesystem::path& directory, bool is_resumed)
     : solver_(solver) {
   const bool has_profiles = study.item_count("profile") + study.item_count("section") > 0;
   if (!has_profiles && study.item_count("probe") == 0) return;
@@ -15,21 +15,18 @@ Measures::Measures(const Configuration& study, const mpm::Solver& solver,
     names_.push_back(table.name());
     probes_.emplace_back(table, solver.grid(), origin, *bodies_);
   }
-  if (has_profiles) profiles_.emplace(study, solver, origin, *bodies_, end, directory, goes_on);
+  if (has_profiles) profiles_.emplace(study, solver, origin, *bodies_, end, directory, is_resumed);
 }
 
-void Measures::add_columns(std::vector<Column>& columns) const {
+void Measures::add_columns(std::vector<ValueColumn<>>& columns) const {
   for (const Probe& probe : probes_) {
-    for (Column& column : probe.columns()) columns.push_back(std::move(column));
+    for (ValueColumn<>& column : probe.columns()) columns.push_back(std::move(column));
   }
 }
 
-void Measures::add_values(std::vector<double>& row) {
+void Measures::sample() {
   if (!probes_.empty()) bodies_->refresh();
-  for (Probe& probe : probes_) {
-    const std::vector<double> values = probe.sample(*bodies_);
-    row.insert(row.end(), values.begin(), values.end());
-  }
+  for (Probe& probe : probes_) probe.sample(*bodies_);
 }
 
 void Measures::write_due() {

@@ -8,18 +8,22 @@
 
 namespace zona::studies {
 
-/// What the tables [[probe]], [[profile]] and [[section]] of a study ask for. Costs nothing where
-/// there are none.
+/// Probes, profiles and sections of a simulation, as the tables [[probe]], [[profile]] and
+/// [[section]] of its study describe them. Costs nothing where there are none.
 class Measures {
  public:
   /// Make it before the first step. Places in the tables count from `origin` [m]; the run lasts
-  /// until `end` [s]. What is passed must outlive it.
+  /// until `end` [s]. The solver must outlive this object.
   Measures(const Configuration& study, const mpm::Solver& solver, const Eigen::Vector3d& origin,
-           double end, const std::filesystem::path& directory, bool goes_on);
+           double end, const std::filesystem::path& directory, bool is_resumed);
+  Measures(const Measures&) = delete;
+  Measures& operator=(const Measures&) = delete;
 
-  /// Of the probes, after others of history.csv.
-  void add_columns(std::vector<Column>& columns) const;
-  void add_values(std::vector<double>& row);
+  /// Adds the columns of all probes in history.csv, with the values of the last `sample`. They
+  /// refer to this object.
+  void add_columns(std::vector<ValueColumn<>>& columns) const;
+  /// Measures at all probes.
+  void sample();
   /// Writes profiles and sections that are due; call it at the start of a run and after each step.
   void write_due();
   void visit_state(mpm::StateVisitor& visitor);

@@ -32,7 +32,7 @@ double von_mises(const double* s) {
   return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * shear);
 }
 
-/// What a law keeps of a point of a solid or membrane; nothing in most.
+/// Takes the internal variables of a law at a point; most laws have none.
 template <class State>
 void take_law(const State&, int, PointValues&) {}
 void take_law(const mpm::SolidState<mpm::VonMises>& s, int p, PointValues& point) {

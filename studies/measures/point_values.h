@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "mpm/bodies/body.h"
-#include "studies/run/history_file.h"
+#include "studies/run/columns.h"
 
 namespace zona::studies {
 
-/// What can be measured at a material point, with its place in `PointValues`.
+/// A quantity that can be measured at a material point, and its place in `PointValues`.
 struct PointQuantity {
   std::string name;  ///< as in a study file
   std::string unit;
-  std::vector<std::string> components;  ///< "xx", ...; one empty one of a scalar
+  std::vector<std::string> components;  ///< "xx", ...; a scalar has one empty name
   std::size_t first;                    ///< in PointValues::value
   bool by_volume;                       ///< means are weighted with the volume, not with the mass
 };
@@ -24,11 +24,12 @@ struct PointQuantity {
 /// (specific: internal of a fluid, elastic of a solid or membrane), plastic_strain (path length of
 /// the plastic strain (5.15)), damage (1 = failed).
 const std::vector<PointQuantity>& point_quantities();
-/// Throws std::logic_error for a name that is none.
+/// Throws std::logic_error for an unknown name.
 const PointQuantity& point_quantity(const std::string& name);
 std::vector<std::string> quantity_names();
 
-/// All quantities of a point, or of several on average, in SI; zero where a material has none.
+/// All quantities of a point, or their means over several points, in SI; zero where a material has
+/// none.
 struct PointValues {
   static constexpr std::size_t count = 22;
   std::array<double, count> value{};
@@ -36,10 +37,10 @@ struct PointValues {
   double volume = 0;  ///< [m^3]
 };
 
-/// Of a point that is stored at `p` and started at `start` [m].
+/// Values at the point that is stored at `p` and started at `start` [m].
 PointValues values_at(const mpm::Body& body, int p, const Eigen::Vector3d& start);
 
-/// Sums points up; call it in the order of their ids, so that sums do not depend on the storage.
+/// Mean over points. Add them in the order of their ids, so that sums do not depend on the storage.
 class PointMean {
  public:
   void add(const PointValues& point);

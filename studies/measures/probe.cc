@@ -39,10 +39,19 @@ void Probe::choose_nearest(const Eigen::Vector3d& place, const TrackedBodies& bo
   start_ = bodies.start_of(body_, ids_.front());
 }
 
-std::vector<Column> Probe::columns() const {
-  std::vector<Column> columns;
+std::vector<Column> Probe::headings() const {
+  std::vector<Column> headings;
   for (const PointQuantity& quantity : quantities_) {
-    for (Column& column : columns_of(quantity, "probe." + name_ + ".")) columns.push_back(column);
+    for (Column& column : columns_of(quantity, "probe." + name_ + ".")) headings.push_back(column);
+  }
+  return headings;
+}
+
+std::vector<ValueColumn<>> Probe::columns() const {
+  std::vector<ValueColumn<>> columns;
+  for (const Column& heading : headings()) {
+    const std::size_t c = columns.size();
+    columns.push_back({heading.name, heading.unit, [this, c] { return extremes_.at(c).last; }});
   }
   return columns;
 }
@@ -60,7 +69,7 @@ PointValues Probe::values(const TrackedBodies& bodies) const {
   return mean.mean();
 }
 
-std::vector<double> Probe::sample(const TrackedBodies& bodies) {
+void Probe::sample(const TrackedBodies& bodies) {
   const PointValues now = values(bodies);
   std::vector<double> row;
   for (const PointQuantity& quantity : quantities_) {
@@ -74,11 +83,10 @@ std::vector<double> Probe::sample(const TrackedBodies& bodies) {
     extremes_[c].lowest = std::fmin(extremes_[c].lowest, row[c]);
     extremes_[c].highest = std::fmax(extremes_[c].highest, row[c]);
   }
-  return row;
 }
 
 void Probe::visit_state(const std::string& name, mpm::StateVisitor& visitor) {
-  extremes_.resize(columns().size());
+  extremes_.resize(headings().size());
   for (std::size_t c = 0; c < extremes_.size(); ++c) {
     const std::string column = name + "/" + std::to_string(c);
     visitor.visit(column + "/last", extremes_[c].last);
@@ -97,7 +105,7 @@ nlohmann::json Probe::results() const {
     result["points"] = ids_.size();
   }
   const std::string prefix = "probe." + name_ + ".";
-  const std::vector<Column> all = columns();
+  const std::vector<Column> all = headings();
   for (std::size_t c = 0; c < extremes_.size(); ++c) {
     const Extremes& e = extremes_[c];
     result[all[c].name.substr(prefix.size())] = {

@@ -7,22 +7,23 @@
 
 namespace zona::studies {
 
-/// A [[probe]]: a point or a mean, its columns in history.csv and what is kept of them.
+/// A [[probe]]: quantities of a point or of a mean, as columns of history.csv, and their extremes.
 class Probe {
  public:
   /// Places in the table count from `origin` [m].
   Probe(const Table& table, const mpm::BackgroundGrid& grid, const Eigen::Vector3d& origin,
         const TrackedBodies& bodies);
 
-  /// "probe.NAME.stress_xx", ...
-  std::vector<Column> columns() const;
-  /// Present values, in the order of the columns; NaN for a mean of no points.
-  std::vector<double> sample(const TrackedBodies& bodies);
+  /// "probe.NAME.stress_xx", ... with the values of the last `sample`; they refer to this object.
+  std::vector<ValueColumn<>> columns() const;
+  /// Measures; NaN for a mean of no points.
+  void sample(const TrackedBodies& bodies);
   void visit_state(const std::string& name, mpm::StateVisitor& visitor);
-  /// Which point it is, or how many; last, lowest and highest value of each column so far.
+  /// Number of the point, or how many points; last, lowest and highest value of each column so far.
   nlohmann::json results() const;
 
  private:
+  std::vector<Column> headings() const;
   PointValues values(const TrackedBodies& bodies) const;
   void choose_nearest(const Eigen::Vector3d& place, const TrackedBodies& bodies);
 
@@ -34,7 +35,7 @@ class Probe {
   std::size_t body_;
   std::vector<PointQuantity> quantities_;
   bool is_point_;
-  bool is_current_ = false;  ///< the box is asked again every time
+  bool is_current_ = false;  ///< the mean is over the points that are in the box at present
   std::vector<int> ids_;     ///< of the point, or of those in the box at the start
   Eigen::Vector3d start_;    ///< of the point [m]
   double distance_ = 0;      ///< of the point from the wanted place [m]

@@ -39,8 +39,8 @@ std::vector<std::size_t> bodies_of(const Table& table, const TrackedBodies& bodi
   return chosen;
 }
 
-/// The layer of cells around a place along an axis; the whole grid along the others. The upper face
-/// of the grid has the last layer.
+/// The layer of cells that contains a place along an axis, across the whole grid. The upper face of
+/// the grid belongs to the last layer.
 mpm::Box layer_around(double place, int axis, const mpm::BackgroundGrid& grid) {
   mpm::Box layer{grid.origin(), grid.upper_corner()};
   const double cell = grid.cell_size()[axis];
@@ -50,7 +50,7 @@ mpm::Box layer_around(double place, int axis, const mpm::BackgroundGrid& grid) {
   return layer;
 }
 
-/// The axis that the plane of a section stands across.
+/// The axis normal to the plane of a section.
 int normal_of(const Table& section) {
   return section.choice("normal")[0] - 'x';
 }
@@ -73,7 +73,7 @@ void check_sections(const Configuration& study, const mpm::BackgroundGrid& grid,
   if (!problems.empty()) throw InputError(problems);
 }
 
-Profiles::Profile Profiles::make_profile(const studies::Table& table, const mpm::Solver& solver,
+Profiles::Profile Profiles::make_profile(const Table& table, const mpm::Solver& solver,
                                          const TrackedBodies& bodies, double end) {
   Profile profile;
   profile.name = table.name();
@@ -87,42 +87,53 @@ Profiles::Profile Profiles::make_profile(const studies::Table& table, const mpm:
   return profile;
 }
 
+Profiles::Profile Profiles::make_slices(const Table& table, const mpm::Solver& solver,
+                                        const Vector3d& origin, const TrackedBodies& bodies,
+                                        double end) {
+  Profile profile = make_profile(table, solver, bodies, end);
+  const mpm::BackgroundGrid& grid = solver.grid();
+  const int axis = table.choice("axis")[0] - 'x';
+  profile.box = box_of(table, grid, origin);
+  profile.is_current = table.choice("membership") == "current";
+  profile.bin = Vector3d::Constant(undivided);
+  profile.bin[axis] = table.is_auto("width")
+                          ? static_cast<double>(table.integer("cells")) * grid.cell_size()[axis]
+                          : table.quantity("width");
+  profile.axes = {axis};
+  return profile;
+}
+
+Profiles::Profile Profiles::make_section(const Table& table, const mpm::Solver& solver,
+                                         const Vector3d& origin, const TrackedBodies& bodies,
+                                         double end) {
+  Profile section = make_profile(table, solver, bodies, end);
+  const mpm::BackgroundGrid& grid = solver.grid();
+  const int normal = normal_of(table);
+  section.box = layer_around(origin[normal] + table.quantity("place"), normal, grid);
+  section.is_current = true;
+  section.bin = grid.cell_size();
+  section.bin[normal] = undivided;
+  section.axes = {0, 1, 2};
+  return section;
+}
+
 Profiles::Profiles(const Configuration& study, const mpm::Solver& solver, const Vector3d& origin,
                    const TrackedBodies& bodies, double end, const std::filesystem::path& directory,
-                   bool goes_on) {
-  const mpm::BackgroundGrid& grid = solver.grid();
-  for (const studies::Table& table : study.items("profile")) {
-    Profile profile = make_profile(table, solver, bodies, end);
-    const int axis = table.choice("axis")[0] - 'x';
-    profile.box = box_of(table, grid, origin);
-    profile.is_current = table.choice("membership") == "current";
-    profile.bin = Vector3d::Constant(undivided);
-    profile.bin[axis] = table.is_auto("width")
-                            ? static_cast<double>(table.integer("cells")) * grid.cell_size()[axis]
-                            : table.quantity("width");
-    profile.axes = {axis};
-    profiles_.profiles.push_back(std::move(profile));
-  }
-  for (const studies::Table& table : study.items("section")) {
-    Profile section = make_profile(table, solver, bodies, end);
-    const int normal = normal_of(table);
-    section.box = layer_around(origin[normal] + table.quantity("place"), normal, grid);
-    section.is_current = true;
-    section.bin = grid.cell_size();
-    section.bin[normal] = undivided;
-    section.axes = {0, 1, 2};
-    sections_.profiles.push_back(std::move(section));
-  }
+                   bool is_resumed) {
+  for (const Table& table : study.items("profile"))
+    profiles_.profiles.push_back(make_slices(table, solver, origin, bodies, end));
+  for (const Table& table : study.items("section"))
+    sections_.profiles.push_back(make_section(table, solver, origin, bodies, end));
   if (!profiles_.profiles.empty()) {
     profiles_.file.emplace(directory / "profiles.csv",
                            columns_after({{"profile", ""}, {"time", "s"}, {"slice", "m"}}),
-                           goes_on);
+                           is_resumed);
   }
   if (!sections_.profiles.empty()) {
     sections_.file.emplace(
         directory / "sections.csv",
         columns_after({{"section", ""}, {"time", "s"}, {"x", "m"}, {"y", "m"}, {"z", "m"}}),
-        goes_on);
+        is_resumed);
   }
 }
 
@@ -137,22 +148,22 @@ bool Profiles::is_due(const mpm::Solver& solver) const {
 
 void Profiles::write_due(const mpm::Solver& solver, const TrackedBodies& bodies) {
   const double now = solver.time() + solver.step_size() / 2;
-  for (Table* table : {&profiles_, &sections_}) {
-    for (Profile& profile : table->profiles) {
+  for (Group* group : {&profiles_, &sections_}) {
+    for (Profile& profile : group->profiles) {
       if (profile.times.empty() || profile.times.back() >= now) continue;
       while (!profile.times.empty() && profile.times.back() < now) profile.times.pop_back();
-      write(profile, solver.time(), bodies, *table->file);
+      write(profile, solver.time(), bodies, *group->file);
     }
   }
 }
 
 void Profiles::visit_state(mpm::StateVisitor& visitor) {
-  for (auto [name, table] : {std::pair{"profiles/", &profiles_}, {"sections/", &sections_}}) {
-    if (table->file) table->file->visit_state(visitor);
-    for (std::size_t p = 0; p < table->profiles.size(); ++p) {
-      auto left = static_cast<std::int64_t>(table->profiles[p].times.size());
+  for (auto [name, group] : {std::pair{"profiles/", &profiles_}, {"sections/", &sections_}}) {
+    if (group->file) group->file->visit_state(visitor);
+    for (std::size_t p = 0; p < group->profiles.size(); ++p) {
+      auto left = static_cast<std::int64_t>(group->profiles[p].times.size());
       visitor.visit(name + std::to_string(p), left);
-      table->profiles[p].times.resize(static_cast<std::size_t>(left));
+      group->profiles[p].times.resize(static_cast<std::size_t>(left));
     }
   }
 }

@@ -8,14 +8,13 @@
 
 namespace zona::studies {
 
-/// The bodies of a solver with the places that their points started from, so that points can be
-/// asked for by id whatever their storage. Make it before the first step; the solver must outlive
-/// it.
+/// Bodies of a solver, their points found by id wherever they are stored, and the places that the
+/// points started from. Make it before the first step; the solver must outlive it.
 class TrackedBodies {
  public:
   explicit TrackedBodies(const mpm::Solver& solver);
 
-  /// After steps, before anything else is asked.
+  /// Finds the points again; call it after steps, before any other call.
   void refresh();
 
   std::size_t body_count() const { return solver_->bodies().size(); }

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "coupling/tip_trace.h"
-#include "studies/input/blame.h"
 #include "studies/input/table_file.h"
+#include "studies/input/with_key.h"
 
 namespace zona::studies {
 
@@ -117,13 +117,13 @@ beam::Pipette pipette_from(const Configuration& study, const std::string& sectio
   pipette.loss_factor = study.number(section + ".loss_factor");
   pipette.loss_frequency = study.quantity(section + ".loss_frequency");
   pipette.profile =
-      blaming(study, section + ".profile", [&] { return profile_from(study, section, pipette); });
+      with_key(study, section + ".profile", [&] { return profile_from(study, section, pipette); });
   fill(study, fluid, pipette);
   pipette.bath = bath_from(study);
   try {
     beam::check(pipette);
   } catch (const std::invalid_argument& error) {
-    throw InputError(std::vector<Problem>{study.problem(section + ".length", error.what())});
+    throw InputError(study.problem(section + ".length", error.what()));
   }
   return pipette;
 }
@@ -193,7 +193,7 @@ beam::SupportMotion support_motion(const Configuration& study, double duration) 
   } else if (shape == "half_sine") {
     pulse = beam::half_sine_pulse(peak, duration);
   } else if (shape == "trace") {
-    pulse = blaming(study, "pulse.trace", [&] {
+    pulse = with_key(study, "pulse.trace", [&] {
       const auto trace = coupling::read_tip_trace_csv(study.path("pulse.trace").string());
       const beam::SupportMotion motion = beam::SampledMotion{trace.time, trace.displacement};
       beam::check(motion);
@@ -204,7 +204,7 @@ beam::SupportMotion support_motion(const Configuration& study, double duration) 
   }
   const int count = static_cast<int>(study.integer("pulse.count"));
   if (count == 1) return pulse;
-  return blaming(study, "pulse.repetition_rate", [&] {
+  return with_key(study, "pulse.repetition_rate", [&] {
     return beam::pulse_train(pulse, count, 1 / study.quantity("pulse.repetition_rate"));
   });
 }

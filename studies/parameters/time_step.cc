@@ -8,7 +8,7 @@ namespace zona::studies {
 
 TimeStep time_step(const Configuration& study, const mpm::Model& model, double end) {
   const auto refuse = [&](const std::string& message) {
-    return InputError(std::vector<Problem>{study.problem("time.step", message)});
+    return InputError(study.problem("time.step", message));
   };
   const auto critical = mpm::critical_step(model.grid, model.bodies);
   if (study.is_auto("time.step")) {

@@ -4,11 +4,11 @@
 
 namespace zona::studies {
 
-/// A lock on an existing file, by which processes tell one another that they work on something. It
-/// is gone when the object or the process is, however that ends.
+/// A lock on an existing file, which shows other processes that this one works on something. The
+/// system releases it when the process ends, however that happens.
 class FileLock {
  public:
-  /// Takes the lock if nobody has it. File systems that know no locks give it to everybody.
+  /// Takes the lock if it is free. File systems without locks give it to every process.
   explicit FileLock(const std::filesystem::path& file);
   ~FileLock();
   FileLock(FileLock&& other) noexcept;

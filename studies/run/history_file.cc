@@ -10,9 +10,9 @@
 namespace zona::studies {
 
 HistoryFile::HistoryFile(const std::filesystem::path& file, const std::vector<Column>& columns,
-                         bool goes_on)
+                         bool is_resumed)
     : file_(file),
-      stream_(file, goes_on ? std::ios::app : std::ios::out),
+      stream_(file, is_resumed ? std::ios::app : std::ios::out),
       width_(columns.size()),
       flushed_(std::chrono::steady_clock::now()) {
   std::string header;
@@ -20,7 +20,7 @@ HistoryFile::HistoryFile(const std::filesystem::path& file, const std::vector<Co
     if (!header.empty()) header += ',';
     header += column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
   }
-  if (!goes_on) stream_ << header << std::endl;
+  if (!is_resumed) stream_ << header << std::endl;
   if (!stream_) throw RunError(file_.string() + " cannot be written");
 }
 

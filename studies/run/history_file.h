@@ -7,31 +7,26 @@
 #include <vector>
 
 #include "mpm/points/state_visitor.h"
+#include "studies/run/columns.h"
 
 namespace zona::studies {
 
-/// A column of a table of results; the unit is SI, empty for a pure number.
-struct Column {
-  std::string name;
-  std::string unit;
-};
-
 /// A table that grows while a study runs, e.g. history.csv: a header with units ("time [s]"), then
-/// one row per sample with every digit of a double. What is written reaches the disk within a
-/// second or so, and at the latest when the object goes.
+/// one row per sample with every digit of a double. Rows reach the disk within about a second, and
+/// at the latest when the object is destroyed.
 class HistoryFile {
  public:
-  /// Throws RunError when the file cannot be written. A file that goes on keeps its rows until
-  /// `visit_state` tells which of them count.
+  /// Throws RunError when the file cannot be written. A file of a resumed run keeps its rows until
+  /// `visit_state` removes those after the checkpoint.
   HistoryFile(const std::filesystem::path& file, const std::vector<Column>& columns,
-              bool goes_on = false);
+              bool is_resumed = false);
 
   /// Adds a row, one value per column. Throws RunError when the file cannot be written.
   void add(const std::vector<double>& row);
-  /// The same for a table whose first column holds words without commas.
+  /// Adds a row of a table whose first column holds words without commas.
   void add(const std::string& word, const std::vector<double>& row);
-  /// The rows so far: brings them to the disk, or drops later ones. Throws RunError when some are
-  /// missing.
+  /// Storing brings the rows to the disk; restoring removes rows that came after the checkpoint.
+  /// Throws RunError when rows are missing.
   void visit_state(mpm::StateVisitor& visitor);
 
  private:

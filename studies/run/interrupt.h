@@ -13,7 +13,7 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// Whether the run should stop. Cheap enough to ask every step, from any thread.
+  /// The run should stop. Cheap enough to ask every step, from any thread.
   static bool requested();
 
  private:

@@ -35,7 +35,8 @@ class Progress {
 
   /// Begins a stage whose parts end when `update` gets `total` (simulated seconds, runs, anything).
   void start(const std::string& label, double total, int parts = 1);
-  /// What of a part was done before this program began: it counts, but not for speed and time left.
+  /// Work of a part that was done before this program began; it does not count in speed and time
+  /// left.
   void begin_at(double done, double point_steps, int part = 0);
   /// `point_steps` counts the work done in the part so far (points times steps; zero when that
   /// means nothing); `quantities` is whatever the user should watch.
@@ -55,7 +56,7 @@ class Progress {
     double point_steps_before = 0;
   };
 
-  /// Of the stage, that is done.
+  /// Fraction of the stage that is done.
   double fraction(double Part::*done = &Part::done) const;
   double point_steps() const;
   std::string line() const;

@@ -72,7 +72,7 @@ std::string resolved_study(const Configuration& study) {
 
 namespace {
 
-/// Parameters as they are written, but those of how the program runs.
+/// Keys and written values of all parameters that decide the results: all but [run].
 std::vector<std::pair<std::string, std::string>> deciding(const Configuration& study) {
   std::vector<std::pair<std::string, std::string>> parameters{{"study", study.kind()}};
   for (const std::string& table : study.tables()) {

@@ -10,14 +10,14 @@ namespace zona::studies {
 /// from any directory: paths in it are absolute.
 std::string resolved_study(const Configuration& study);
 
-/// The first parameter that differs between two studies of whatever kind, for reading; empty if all
-/// that decides the results is the same. The [run] table does not.
+/// A text that names the first parameter that differs between two studies of any kind. Empty when
+/// they give the same results; the [run] table does not count.
 std::string first_difference(const Configuration& before, const Configuration& now);
 
-/// Sixteen letters that all studies without such a difference share, and hardly any others.
+/// A hash in sixteen hexadecimal digits, equal for studies without such a difference.
 std::string study_fingerprint(const Configuration& study);
 
-/// Every parameter with its value in SI and where it comes from, one per line, for reading.
+/// A text for people: every parameter with its value in SI and its origin, one per line.
 std::string si_table(const Configuration& study);
 
 }  // namespace zona::studies

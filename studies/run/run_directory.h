@@ -12,8 +12,8 @@ class logger;
 
 namespace zona::studies {
 
-/// The directory of one run and its log. As long as the object lives it exists, is writable, and no
-/// other process can have it.
+/// The directory of one run and its log. While the object lives, the directory exists, is writable
+/// and is locked against other processes.
 class RunDirectory {
  public:
   /// A directory that the user named. Throws InputError when it holds something or cannot be
@@ -24,12 +24,11 @@ class RunDirectory {
   /// free. Throws InputError when it cannot be written.
   static RunDirectory for_study(const std::filesystem::path& study_file);
 
-  /// The directory of a run that is to go on. Throws InputError when there is no run in it, it
+  /// The directory of a run that is resumed. Throws InputError when there is no run in it, it
   /// cannot be written or another process computes in it.
   static RunDirectory of_run(const std::filesystem::path& directory);
 
-  /// The last of those that `for_study` has made; the first, whether it is there or not, if none
-  /// was.
+  /// The last directory that `for_study` has made; the first name if it has made none.
   static std::filesystem::path last_for_study(const std::filesystem::path& study_file);
 
   const std::filesystem::path& path() const { return path_; }
@@ -38,8 +37,8 @@ class RunDirectory {
   /// Writes a whole file so that readers see the old or the new one, never a part. Throws RunError.
   void write(const std::string& name, const std::string& text) const;
 
-  /// What is written to log.txt, a line with time and level each: `log().info("{} points", n)`.
-  /// Threads may write side by side.
+  /// Writes lines with time and level to log.txt: `log().info("{} points", n)`. Threads may write
+  /// side by side.
   spdlog::logger& log() const { return *log_; }
   /// A log to the same file whose lines begin with "part: ", e.g. of a fill of a comparison.
   std::shared_ptr<spdlog::logger> log_of(const std::string& part) const;

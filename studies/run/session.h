@@ -8,14 +8,14 @@ namespace zona::studies {
 class Progress;
 class RunDirectory;
 
-/// What a study works with while it runs, besides its configuration.
+/// Surroundings of a study while it runs.
 struct Session {
   RunDirectory& directory;   ///< where its files and its log go
-  Progress& progress;        ///< tells the user how far it is
+  Progress& progress;        ///< shown to the user
   nlohmann::json& results;   ///< becomes "results" of summary.json; SI units
   int threads = 1;           ///< already set for OpenMP
-  bool resume = false;       ///< go on from the checkpoints in the directory
-  std::string conclusion{};  ///< what the user reads at the end, on standard output
+  bool resume = false;       ///< continue from the checkpoints in the directory
+  std::string conclusion{};  ///< text for standard output at the end
 };
 
 }  // namespace zona::studies

@@ -13,18 +13,19 @@ namespace zona::studies {
 /// Throws RunError when the computation cannot go on.
 using Job = std::function<void(Session&)>;
 
-/// Finds everything that is wrong with a study that its schema could not see, before a file is
-/// written; throws InputError. Returns what is then to be done.
+/// Checks what the schema of a study cannot check, before a file is written; throws InputError.
+/// Returns the job to be done.
 using Prepare = std::function<Job(const Configuration&)>;
 
-/// What a study will cost, without computing it.
+/// Cost of a study, estimated without computing it.
 struct StudyCost {
   std::string text;        ///< points, steps, time, in a few lines
   double point_steps = 0;  ///< points times steps; 0 where that means nothing
 };
 using CostEstimate = std::function<StudyCost(const Configuration&)>;
 
-/// What it will take on this machine with so many threads, from trying a little of it; a text.
+/// Text about time and memory on this machine with so many threads, from computing a little of the
+/// study.
 using TryHere = std::function<std::string(const Configuration&, int threads)>;
 
 /// A value of `study = "..."`.

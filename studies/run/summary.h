@@ -7,14 +7,14 @@
 
 namespace zona::studies {
 
-/// How a run went, next to its results.
+/// Outcome of a run, beside its results.
 struct RunOutcome {
   std::string status;    ///< "complete", "interrupted" or "failed"
   std::string message;   ///< of a failure
   std::string started;   ///< local date and time
   double wall_time = 0;  ///< [s]
   int threads = 1;
-  std::string conclusion;  ///< what the study told the user
+  std::string conclusion;  ///< text of the study for the user
 };
 
 /// Content of summary.json: study, outcome, versions and the results of the study, in SI units.

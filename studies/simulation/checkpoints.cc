@@ -22,7 +22,7 @@ bool is_checkpoint(const fs::path& file) {
   return name.rfind(prefix, 0) == 0 && (file.extension() == ".h5" || file.extension() == ".tmp");
 }
 
-/// Whole and unfinished ones, the newest first.
+/// Checkpoints with this extension (.h5: written, .tmp: unfinished), the newest first.
 std::vector<fs::path> checkpoints_in(const fs::path& directory, const char* extension) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(directory)) {

@@ -10,12 +10,12 @@
 
 namespace zona::studies {
 
-/// When a run stores its state, and whether it starts from one.
+/// How often a run stores its state, and whether it starts from a stored one.
 struct CheckpointPlan {
-  double interval = 300;   ///< wall time between two [s]; zero: none by time
-  std::int64_t steps = 0;  ///< steps between two; zero: none by steps
-  std::string study;       ///< what only checkpoints of this study share
-  bool resume = false;     ///< start from the newest one, if there is one
+  double interval = 300;   ///< wall time between two checkpoints [s]; zero: none by time
+  std::int64_t steps = 0;  ///< steps between two checkpoints; zero: none by steps
+  std::string study;       ///< fingerprint of the study, the same in all its checkpoints
+  bool resume = false;     ///< start from the newest checkpoint, if there is one
 };
 
 /// As the [run] table says.
@@ -24,18 +24,19 @@ CheckpointPlan checkpoint_plan(const Configuration& study, bool resume);
 /// The checkpoints of one run, the latest two: DIRECTORY/checkpoint-000000012000.h5, by step.
 class Checkpoints {
  public:
-  /// Looks for the newest whole checkpoint if the plan is to resume. Throws CheckpointError when
-  /// there are some, but none is whole or one is of another study or version.
+  /// Finds the newest undamaged checkpoint if the plan is to resume. Throws CheckpointError when
+  /// all checkpoints are damaged, or the newest undamaged one is of another study or version.
   Checkpoints(std::filesystem::path directory, CheckpointPlan plan);
 
-  /// Whether the run starts from a checkpoint: `restore` it.
+  /// The run starts from a checkpoint; call `restore`.
   bool is_resumed() const { return start_.has_value(); }
   void restore(const mpm::VisitState& visit) const { start_->restore(visit); }
-  /// What the user should know of damaged ones, or of another processor; empty if there is nothing.
+  /// Warning of damaged checkpoints or of another processor; empty if there is none.
   const std::string& warning() const { return warning_; }
 
   bool is_due(std::int64_t step) const;
-  /// Whether it stored one: not where the run has just started from it.
+  /// Stores a checkpoint and removes all but the last two. Returns false, and stores nothing, at
+  /// the step that the run started from.
   bool store(std::int64_t step, const mpm::VisitState& visit);
 
  private:
@@ -51,7 +52,7 @@ class Checkpoints {
   Clock::time_point last_time_ = Clock::now();
 };
 
-/// Removes the checkpoints of a run that is complete, also of the runs in its subdirectories.
+/// Removes all checkpoints in a directory and its subdirectories, once a run is complete.
 void remove_checkpoints(const std::filesystem::path& directory);
 
 }  // namespace zona::studies

@@ -10,7 +10,7 @@ namespace zona::studies {
 
 namespace {
 
-/// A scalar of every point, put in the order of ids.
+/// value(p) of each point p, in the order of ids.
 template <class F>
 std::vector<double> by_id(const mpm::Body& body, F value) {
   std::vector<double> ordered(body.points.id.size());
@@ -28,11 +28,11 @@ std::vector<double> vectors_by_id(const mpm::Body& body, const std::array<mpm::F
 
 std::vector<double> scalar(const mpm::Body& body, const std::string& quantity) {
   const std::size_t place = point_quantity(quantity).first;
-  const Eigen::Vector3d start = Eigen::Vector3d::Zero();  // displacements are not asked for
+  const Eigen::Vector3d start = Eigen::Vector3d::Zero();  // only displacements need it
   return by_id(body, [&](int p) { return values_at(body, p, start).value[place]; });
 }
 
-/// Largest principal stress of a membrane's point times its thickness [N/m].
+/// Largest principal stress at a membrane's point times the thickness [N/m].
 double tension(const mpm::Membrane& membrane, int p) {
   const auto& s = membrane.stress;
   Eigen::Matrix3d stress;
@@ -41,7 +41,7 @@ double tension(const mpm::Membrane& membrane, int p) {
   return principal.eigenvalues()[2] * membrane.properties.thickness;
 }
 
-mpm::PointCloud draw_body(const mpm::Body& body) {
+mpm::PointCloud point_cloud(const mpm::Body& body) {
   mpm::PointCloud cloud{body.name, vectors_by_id(body, body.points.position), {}, {}};
   if (const mpm::Membrane* membrane = body.membrane()) {
     cloud.triangles = membrane->surface.triangles();
@@ -69,13 +69,13 @@ bool has_body(const mpm::Solver& solver, const std::string& name) {
 
 }  // namespace
 
-std::vector<mpm::PointCloud> draw(const mpm::Solver& solver) {
+std::vector<mpm::PointCloud> point_clouds(const mpm::Solver& solver) {
   std::vector<mpm::PointCloud> clouds;
-  for (const auto& body : solver.bodies()) clouds.push_back(draw_body(body));
+  for (const auto& body : solver.bodies()) clouds.push_back(point_cloud(body));
   return clouds;
 }
 
-std::vector<mpm::CellFields> draw_cells(const mpm::Solver& solver) {
+std::vector<mpm::CellFields> cell_fields(const mpm::Solver& solver) {
   std::vector<mpm::CellFields> cells;
   for (const auto& body : solver.bodies()) {
     if (!std::holds_alternative<mpm::Fluid>(body.material)) continue;

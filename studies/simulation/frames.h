@@ -5,13 +5,13 @@
 
 namespace zona::studies {
 
-/// All bodies of a solver as they are drawn, points in the order of their ids: membranes as
-/// triangles with `failed`, `strain`, `damage`, `tension` (largest principal stress resultant
-/// [N/m]); fluids with `pressure`; solids with `pressure`, `equivalent_stress`, `plastic_strain`,
-/// `damage`; all with `velocity` but rigid bodies, which are bare.
-std::vector<mpm::PointCloud> draw(const mpm::Solver& solver);
+/// A point cloud of each body, SI units, points in the order of their ids. Membranes are triangles
+/// with `failed`, `strain`, `damage`, `tension` (largest principal stress resultant [N/m]); fluids
+/// have `pressure`; solids `pressure`, `equivalent_stress`, `plastic_strain`, `damage`; all but
+/// rigid bodies `velocity`.
+std::vector<mpm::PointCloud> point_clouds(const mpm::Solver& solver);
 
-/// Cell averages of all fluids, "gas_cells" of the body "gas".
-std::vector<mpm::CellFields> draw_cells(const mpm::Solver& solver);
+/// Cell averages of each fluid, "gas_cells" of the body "gas".
+std::vector<mpm::CellFields> cell_fields(const mpm::Solver& solver);
 
 }  // namespace zona::studies

@@ -1,21 +1,19 @@
 #include <fmt/format.h>
-#include <omp.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cctype>
-#include <exception>
 #include <memory>
-#include <thread>
 
 #include "studies/kinds/piercing/run.h"
 #include "studies/kinds/piercing/study.h"
 #include "studies/kinds/piercing/values.h"
 #include "studies/parameters/beam_parameters.h"
 #include "studies/run/interrupt.h"
+#include "studies/run/parallel.h"
 #include "studies/run/run_directory.h"
 #include "studies/run/session.h"
-#include "studies/simulation/trial.h"
+#include "studies/simulation/cost_forecast.h"
 
 namespace zona::studies {
 
@@ -38,23 +36,25 @@ std::string directory_name(const std::string& fluid) {
   return name;
 }
 
-struct Cell {
+/// A column of the table: a result of each fill.
+struct ResultColumn {
   std::string header;
-  std::string key;
-  double factor;
+  std::string key;  ///< in the results
+  double factor;    ///< from SI
   int digits;
 };
 
-const std::vector<Cell>& table_columns() {
-  static const std::vector<Cell> columns{{"tip [um]", "tip_amplitude", 1e6, 2},
-                                         {"in window [um]", "largest_excursion", 1e6, 2},
-                                         {"first failure [us]", "time_of_first_failure", 1e6, 2},
-                                         {"failed area [um^2]", "failed_area", 1e12, 1},
-                                         {"hole/pipette", "hole_over_pipette", 1, 2},
-                                         {"failed points", "failed_points", 1, 0},
-                                         {"strain away", "largest_strain_away", 1, 4},
-                                         {"deformation [um]", "largest_displacement_away", 1e6, 2},
-                                         {"wall [s]", "wall_seconds", 1, 1}};
+const std::vector<ResultColumn>& table_columns() {
+  static const std::vector<ResultColumn> columns{
+      {"tip [um]", "tip_amplitude", 1e6, 2},
+      {"in window [um]", "largest_excursion", 1e6, 2},
+      {"first failure [us]", "time_of_first_failure", 1e6, 2},
+      {"failed area [um^2]", "failed_area", 1e12, 1},
+      {"hole/pipette", "hole_over_pipette", 1, 2},
+      {"failed points", "failed_points", 1, 0},
+      {"strain away", "largest_strain_away", 1, 4},
+      {"deformation [um]", "largest_displacement_away", 1e6, 2},
+      {"wall [s]", "wall_seconds", 1, 1}};
   return columns;
 }
 
@@ -79,7 +79,7 @@ void write_table(Session& session) {
   session.conclusion = table;
 }
 
-/// Fills that run side by side: small models use the threads better than one after the other.
+/// Fills that run side by side. Small models use the threads better so than one after the other.
 struct Round {
   std::vector<const PiercingCase*> fills;
   int threads;  ///< of each
@@ -101,46 +101,37 @@ std::string label(const Round& round) {
   return names;
 }
 
-/// The fills of a round as entries of the results. Throws the first failure after all have ended.
+/// Runs a fill in its own directory, as a part of the present stage.
+void run_fill(const PiercingCase& fill, int part, int threads, const Configuration& study,
+              Session& session, nlohmann::json& results) {
+  const std::shared_ptr<spdlog::logger> log = session.directory.log_of(fill.fluid.name);
+  const SimulationContext context{study,
+                                  output_plan(study, simulation_end(study)),
+                                  checkpoint_plan(study, session.resume),
+                                  session.directory.file(directory_name(fill.fluid.name)),
+                                  threads,
+                                  *log,
+                                  session.progress,
+                                  part};
+  std::filesystem::create_directories(context.directory);
+  log->info(piercing_cost(fill).text);
+  run_piercing(fill, context, results);
+}
+
+/// Adds the fills of a round to the results. Throws the first failure after all have ended.
 void run_round(const Round& round, const Configuration& study, Session& session) {
-  const OutputPlan plan = output_plan(study, simulation_end(study));
-  const CheckpointPlan checkpoints = checkpoint_plan(study, session.resume);
-  const int count = static_cast<int>(round.fills.size());
+  const std::size_t count = round.fills.size();
   std::vector<nlohmann::json> results(count);
-  std::vector<std::exception_ptr> failures(count);
-  std::vector<std::shared_ptr<spdlog::logger>> logs;
-  std::vector<std::thread> runs;
-  session.progress.start(label(round), round.fills.front()->end, count);
-  for (int f = 0; f < count; ++f) {
-    const PiercingCase& fill = *round.fills[f];
-    logs.push_back(session.directory.log_of(fill.fluid.name));
-    const PiercingWork work{study,
-                            plan,
-                            checkpoints,
-                            session.directory.file(directory_name(fill.fluid.name)),
-                            round.threads,
-                            *logs.back(),
-                            session.progress,
-                            f};
-    std::filesystem::create_directories(work.directory);
-    logs.back()->info(piercing_cost(fill).text);
-    runs.emplace_back([&fill, work, &entry = results[f], &failure = failures[f]] {
-      omp_set_num_threads(work.threads);
-      try {
-        run_piercing(fill, work, entry);
-      } catch (...) {
-        failure = std::current_exception();
-      }
-    });
-  }
-  for (auto& run : runs) run.join();
+  session.progress.start(label(round), round.fills.front()->end, static_cast<int>(count));
+  ParallelLoop loop(count, {static_cast<int>(count), round.threads}, [&](std::size_t f) {
+    run_fill(*round.fills[f], static_cast<int>(f), round.threads, study, session, results[f]);
+  });
+  loop.join();
   session.progress.finish();
   for (auto& entry : results) {
     if (!entry.is_null()) session.results.push_back(std::move(entry));
   }
-  for (const auto& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  loop.rethrow();
 }
 
 }  // namespace
@@ -174,16 +165,16 @@ StudyCost estimate_comparison(const Configuration& study) {
 std::string try_comparison(const Configuration& study, int threads) {
   const std::vector<PiercingCase> cases = make_cases(study);
   const std::vector<Round> rounds = make_rounds(cases, threads);
-  const auto trial = [&] {
+  const auto forecast = [&] {
     const PiercingCase& first = cases.front();
-    Trial one = try_simulation(build_piercing(first.setup), first.step, first.end,
-                               output_plan(study, first.end), rounds.front().threads);
-    one.seconds *= static_cast<double>(rounds.size());
-    one.memory += one.own * static_cast<double>(rounds.front().fills.size() - 1);
-    one.disk *= static_cast<double>(cases.size());
-    return one;
+    CostForecast cost = forecast_cost(build_piercing(first.setup), first.step, first.end,
+                                      output_plan(study, first.end), rounds.front().threads);
+    cost.seconds *= static_cast<double>(rounds.size());
+    cost.memory += cost.own_memory * static_cast<double>(rounds.front().fills.size() - 1);
+    cost.disk *= static_cast<double>(cases.size());
+    return cost;
   };
-  return trial_text(trial, threads);
+  return forecast_text(forecast, threads);
 }
 
 }  // namespace zona::studies

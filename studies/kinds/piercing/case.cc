@@ -3,8 +3,8 @@
 #include "coupling/prescribed_motion.h"
 #include "coupling/tip_motion.h"
 #include "coupling/tip_trace.h"
-#include "studies/input/blame.h"
-#include "studies/input/rehearsal.h"
+#include "studies/input/run_isolated.h"
+#include "studies/input/with_key.h"
 #include "studies/kinds/piercing/values.h"
 #include "studies/measures/profiles.h"
 #include "studies/parameters/beam_parameters.h"
@@ -126,14 +126,14 @@ beam::TipHistory history_of(const Configuration& study, const beam::BeamSystem& 
                          integrator_from(study, "beam", system));
 }
 
-/// libhdf5 crashes on some damaged files: only what passes a rehearsal is read here.
+/// libhdf5 crashes on some damaged files, so each is first read in another process.
 beam::TipHistory read_trace(const std::string& path) {
   if (coupling::is_hdf5_trace(path)) {
-    const std::string death = rehearse([&] { coupling::read_tip_trace(path); });
-    if (!death.empty()) {
-      throw coupling::TraceError(
-          path, 0, 0,
-          "HDF5 failed to read it (" + death + "); the file is damaged; write it anew, or as CSV");
+    const std::string failure = run_isolated([&] { coupling::read_tip_trace(path); });
+    if (!failure.empty()) {
+      throw coupling::TraceError(path, 0, 0,
+                                 "HDF5 failed to read it (" + failure +
+                                     "); the file is damaged; write it anew, or as CSV");
     }
   }
   return coupling::read_tip_trace(path);
@@ -163,12 +163,12 @@ void set_motion(const Configuration& study, PiercingCase& c) {
     c.support_peak =
         beam::peak_displacement(support_motion(study, study.quantity("pulse.duration")));
   } else {
-    c.tip_history = blaming(study, "motion.trace",
-                            [&] { return read_trace(study.path("motion.trace").string()); });
-    drive_by(blaming(study, window_key(study),
-                     [&] {
-                       return coupling::TipMotion(*c.tip_history, tip_motion_options(study, axis));
-                     }),
+    c.tip_history = with_key(study, "motion.trace",
+                             [&] { return read_trace(study.path("motion.trace").string()); });
+    drive_by(with_key(study, window_key(study),
+                      [&] {
+                        return coupling::TipMotion(*c.tip_history, tip_motion_options(study, axis));
+                      }),
              c);
   }
 }
@@ -176,7 +176,7 @@ void set_motion(const Configuration& study, PiercingCase& c) {
 }  // namespace
 
 coupling::TipMotion tip_motion(const Configuration& study, const TipHistories& tip) {
-  return blaming(study, window_key(study), [&]() -> coupling::TipMotion {
+  return with_key(study, window_key(study), [&]() -> coupling::TipMotion {
     if (!tip.lateral) return {*tip.axial, tip_motion_options(study, kAxial)};
     const auto options = tip_motion_options(study, kLateral);
     if (!tip.axial) return {*tip.lateral, options};
@@ -199,7 +199,7 @@ PiercingCase make_piercing_case(const Configuration& study, const beam::Fluid& f
   c.setup = piercing_setup(study, fluid.density);
   c.end = simulation_end(study);
   set_motion(study, c);
-  const auto model = blaming(study, "grid.domain", [&] { return build_piercing(c.setup); });
+  const auto model = with_key(study, "grid.domain", [&] { return build_piercing(c.setup); });
   check_sections(study, model.grid, piercing_geometry(c.setup).egg_center);
   const TimeStep step = time_step(study, model, c.end);
   c.critical_step = step.critical;

@@ -8,21 +8,25 @@
 
 namespace zona::studies {
 
-/// What a pulse has done to the zona at an instant.
+/// Damage of the zona at an instant.
 struct ZonaDamage {
   int failed_points = 0;
   double failed_area = 0;     ///< undeformed area of the failed points [m^2]
   double largest_strain = 0;  ///< largest principal strain of intact points [-]
-  double strain_away = 0;  ///< the same, further than a pipette diameter from hole and contact [-]
-  double largest_displacement = 0;  ///< of an intact point further than that [m]
-  /// How far the pipette has pushed the intact zona near the contact along its axis [m].
+  /// Largest principal strain of intact points farther than an outer diameter of the pipette from
+  /// hole and contact [-].
+  double strain_away = 0;
+  double largest_displacement = 0;  ///< of the same points [m]
+  /// Greatest displacement of the intact zona near the contact along the pipette's axis, away from
+  /// the pipette [m].
   double indentation = 0;
 
   void visit_state(mpm::StateVisitor& visitor);
 };
 
-/// Follows the zona through a run. "Away from the hole" is measured in the undeformed zona: further
-/// than one outer diameter of the pipette from every failed point and from the rim of the contact.
+/// Measures the damage of the zona during a run. "Away from the hole" means, in the undeformed
+/// zona, farther than one outer diameter of the pipette from every failed point and from the rim of
+/// the contact.
 class DamageMeter {
  public:
   DamageMeter(const mpm::Body& zona, const mpm::Tube& tip);

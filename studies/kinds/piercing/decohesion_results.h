@@ -6,9 +6,9 @@
 
 namespace zona::studies {
 
-/// What a membrane's decohesion came to: how many points flowed and opened, and what the failed
-/// ones dissipated per area, next to what their surfaces would have if their opening were resolved
-/// (means; null where nothing failed) [J/m^2].
+/// Results of a membrane's decohesion: numbers of plastic and of opening points, and two means over
+/// the failed points [J/m^2]: energy dissipated per area, and the energy that their surfaces would
+/// dissipate if the opening were resolved. The means are null where nothing failed.
 nlohmann::json decohesion_results(const mpm::MembraneState<mpm::VonMises>& state);
 
 }  // namespace zona::studies

@@ -7,7 +7,7 @@
 
 namespace zona::studies {
 
-/// Where on the undeformed zona the failed points lie, seen along the pipette from the middle of
+/// Places of the failed points on the undeformed zona, seen along the pipette from the middle of
 /// the contact: y along a lateral vibration, z across it. All zero while nothing has failed.
 struct FailurePattern {
   double y_low = 0, y_high = 0;  ///< extent along the lateral vibration [m]

@@ -10,9 +10,24 @@
 #include "studies/parameters/beam_parameters.h"
 #include "studies/run/run_directory.h"
 #include "studies/run/session.h"
-#include "studies/simulation/trial.h"
+#include "studies/simulation/cost_forecast.h"
 
 namespace zona::studies {
+
+namespace {
+
+std::string conclusion(const nlohmann::json& results, int threads) {
+  const auto& first = results["time_of_first_failure"];
+  return fmt::format(
+      "{} of the zona's points failed, {:.4g} um^2{}; largest strain away from the hole {:.4f}\n"
+      "{:.1f} million point-steps/s on {} threads\n",
+      results["failed_points"].get<int>(), results["failed_area"].get<double>() * 1e12,
+      first.is_null() ? "" : fmt::format(", the first after {:.2f} us", first.get<double>() * 1e6),
+      results["largest_strain_away"].get<double>(),
+      results["point_steps_per_second"].get<double>() / 1e6, threads);
+}
+
+}  // namespace
 
 Job prepare_piercing(const Configuration& study) {
   const auto piercing =
@@ -26,16 +41,7 @@ Job prepare_piercing(const Configuration& study) {
          session.directory.path(), session.threads, session.directory.log(), session.progress},
         session.results);
     session.progress.finish();
-    const auto& r = session.results;
-    const auto& first = r["time_of_first_failure"];
-    session.conclusion = fmt::format(
-        "{} of the zona's points failed, {:.4g} um^2{}; largest strain away from the hole {:.4f}\n"
-        "{:.1f} million point-steps/s on {} threads\n",
-        r["failed_points"].get<int>(), r["failed_area"].get<double>() * 1e12,
-        first.is_null() ? ""
-                        : fmt::format(", the first after {:.2f} us", first.get<double>() * 1e6),
-        r["largest_strain_away"].get<double>(), r["point_steps_per_second"].get<double>() / 1e6,
-        session.threads);
+    session.conclusion = conclusion(session.results, session.threads);
   };
 }
 
@@ -45,11 +51,11 @@ StudyCost estimate_piercing(const Configuration& study) {
 
 std::string try_piercing(const Configuration& study, int threads) {
   const PiercingCase piercing = make_piercing_case(study, fills_of(study).front());
-  const auto trial = [&] {
-    return try_simulation(build_piercing(piercing.setup), piercing.step, piercing.end,
-                          output_plan(study, piercing.end), threads);
+  const auto forecast = [&] {
+    return forecast_cost(build_piercing(piercing.setup), piercing.step, piercing.end,
+                         output_plan(study, piercing.end), threads);
   };
-  return trial_text(trial, threads);
+  return forecast_text(forecast, threads);
 }
 
 }  // namespace zona::studies

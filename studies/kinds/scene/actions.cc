@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "studies/input/blame.h"
+#include "studies/input/with_key.h"
 #include "studies/kinds/scene/shape.h"
 
 namespace zona::studies {
@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using VectorOfTime = std::function<Vector3d(double)>;
 
 [[noreturn]] void refuse(const Table& table, const std::string& key, const std::string& message) {
-  throw InputError(std::vector<Problem>{table.problem(key, message)});
+  throw InputError(table.problem(key, message));
 }
 
 /// Evaluates formulas of time at a thousand instants of the run: what is wrong with them is told
@@ -23,7 +23,7 @@ using VectorOfTime = std::function<Vector3d(double)>;
 void try_out(const Table& table, const std::string& key, const std::vector<Formula>& formulas) {
   constexpr int instants = 1000;
   const double end = table.study().quantity("time.end");
-  blaming(table.study(), table.key(key), [&] {
+  with_key(table.study(), table.key(key), [&] {
     for (const Formula& formula : formulas) {
       for (int i = 0; i <= instants; ++i) formula.at(end * i / instants);
     }
@@ -44,7 +44,7 @@ std::function<Vector3d(double, const Vector3d&)> velocity_field(const Table& tab
     return Vector3d(f[0].at(x, t), f[1].at(x, t), f[2].at(x, t));
   };
   const double end = table.study().quantity("time.end");
-  blaming(table.study(), table.key("velocity"), [&] {
+  with_key(table.study(), table.key("velocity"), [&] {
     for (const int node : mpm::nodes_in(grid, region)) {
       for (const double t : {0.0, end / 2, end}) at(t, grid.node_position(node));
     }
@@ -106,7 +106,7 @@ void add_holds(const Configuration& study, mpm::Model& model) {
       const std::string name(1, static_cast<char>('x' + axis));
       held.axes[axis] = std::find(axes.begin(), axes.end(), name) != axes.end();
     }
-    blaming(study, table.key("low"), [&] { return mpm::nodes_in(model.grid, held.region); });
+    with_key(study, table.key("low"), [&] { return mpm::nodes_in(model.grid, held.region); });
     if (!all_zero(table.formulas("velocity"))) {
       held.velocity = velocity_field(table, model.grid, held.region);
     }
@@ -121,8 +121,8 @@ void add_loads(const Configuration& study, mpm::Model& model) {
       continue;
     }
     model.forces.push_back(body_force(table, model.grid));
-    blaming(study, table.key("low"),
-            [&] { return mpm::Loads({model.forces.back()}, {}, model.bodies); });
+    with_key(study, table.key("low"),
+             [&] { return mpm::Loads({model.forces.back()}, {}, model.bodies); });
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "studies/input/blame.h"
+#include "studies/input/with_key.h"
 #include "studies/parameters/material_parameters.h"
 #include "studies/parameters/numerics_parameters.h"
 
@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 /// Values of a formula at places, problems told at its key.
 std::vector<double> values_at(const Table& table, const std::string& key, const Formula& formula,
                               const std::vector<Vector3d>& places) {
-  return blaming(table.study(), table.key(key), [&] {
+  return with_key(table.study(), table.key(key), [&] {
     std::vector<double> values;
     values.reserve(places.size());
     for (const Vector3d& place : places) values.push_back(formula.at(place));
@@ -33,7 +33,7 @@ struct Pieces {
 
 void check_places(const Table& table, const mpm::BackgroundGrid& grid, const Pieces& pieces) {
   const auto refuse = [&](const std::string& message) {
-    throw InputError(std::vector<Problem>{table.problem("shape", message)});
+    throw InputError(table.problem("shape", message));
   };
   if (pieces.places.empty()) {
     refuse("holds no point; make it larger, the cells smaller, or points_per_cell greater");
@@ -93,10 +93,10 @@ mpm::Fluid fluid_of(const Table& table, const Pieces& pieces, const std::vector<
   for (std::size_t p = 0; p < pressure.size(); ++p) {
     if (pressure[p] + properties.state.p_infinity > 0) continue;
     const Vector3d& x = pieces.places[p];
-    throw InputError(std::vector<Problem>{table.problem(
+    throw InputError(table.problem(
         "pressure", fmt::format("{:g} Pa at ({:g}, {:g}, {:g}) m have no sound speed; needs more "
                                 "than {:g} Pa",
-                                pressure[p], x.x(), x.y(), x.z(), -properties.state.p_infinity))});
+                                pressure[p], x.x(), x.y(), x.z(), -properties.state.p_infinity)));
   }
   choose_representative(properties, density, pressure);
   mpm::Fluid fluid(properties, static_cast<int>(density.size()));
@@ -153,8 +153,8 @@ mpm::MembraneLaw membrane_law(const Table& table, const mpm::BackgroundGrid& gri
 double constant_density(const Table& table) {
   const auto density = table.formula("density").constant();
   if (density) return *density;
-  throw InputError(std::vector<Problem>{
-      table.problem("density", "a membrane or rigid body has one density; needs a constant")});
+  throw InputError(
+      table.problem("density", "a membrane or rigid body has one density; needs a constant"));
 }
 
 mpm::Body membrane_body(const Table& table, const mpm::BackgroundGrid& grid) {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "studies/input/blame.h"
+#include "studies/input/with_key.h"
 #include "studies/kinds/scene/actions.h"
 #include "studies/kinds/scene/body.h"
 #include "studies/measures/profiles.h"
 #include "studies/parameters/numerics_parameters.h"
-#include "studies/simulation/solver_march.h"
+#include "studies/parameters/time_step.h"
 
 namespace zona::studies {
 
@@ -54,7 +54,7 @@ void add_bodies(const Configuration& study, mpm::Model& model) {
     const Inside cut = [&](const Vector3d& place) {
       return std::any_of(others.begin(), others.end(), [&](const Inside& f) { return f(place); });
     };
-    model.bodies.push_back(blaming(study, table.key("material"), [&] {
+    model.bodies.push_back(with_key(study, table.key("material"), [&] {
       return scene_body(table, model.grid, inside.at(table.name()), cut);
     }));
   }

@@ -4,17 +4,19 @@
 #include <spdlog/spdlog.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "studies/kinds/scene/case.h"
 #include "studies/kinds/scene/run.h"
 #include "studies/run/run_directory.h"
-#include "studies/simulation/trial.h"
+#include "studies/simulation/cost_forecast.h"
+#include "studies/simulation/output_plan.h"
 
 namespace zona::studies {
 
 namespace {
 
-/// One line a column of a probe: its last, lowest and highest value.
+/// A line for each column of a probe: its last, lowest and highest value.
 std::string probe_table(const nlohmann::json& results) {
   if (!results.contains("probes")) return "";
   std::string text =
@@ -51,11 +53,11 @@ StudyCost estimate_scene(const Configuration& study) {
 
 std::string try_scene(const Configuration& study, int threads) {
   SceneCase scene = make_scene_case(study);
-  const auto trial = [&] {
-    return try_simulation(std::move(scene.model), scene.step.seconds, scene.end,
-                          output_plan(study, scene.end), threads);
+  const auto forecast = [&] {
+    return forecast_cost(std::move(scene.model), scene.step.seconds, scene.end,
+                         output_plan(study, scene.end), threads);
   };
-  return trial_text(trial, threads);
+  return forecast_text(forecast, threads);
 }
 
 }  // namespace zona::studies

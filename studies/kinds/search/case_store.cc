@@ -1,15 +1,14 @@
 #include "studies/kinds/search/case_store.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
 #include <deque>
-#include <exception>
 #include <fstream>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "mpm/files/atomic_file.h"
@@ -19,6 +18,8 @@
 #include "studies/parameters/beam_parameters.h"
 #include "studies/run/file_lock.h"
 #include "studies/run/interrupt.h"
+#include "studies/run/parallel.h"
+#include "studies/run/progress.h"
 #include "studies/run/resolved_study.h"
 #include "studies/run/run_directory.h"
 #include "studies/run/version.h"
@@ -35,14 +36,14 @@ json read_json(const fs::path& file) {
   return stream ? json::parse(stream, nullptr, false) : json();
 }
 
-/// What the threads of a stage share: the numbers of the piercings that nobody has begun.
-class Queue {
+/// Piercings that no thread has begun, by number.
+class WaitingPiercings {
  public:
-  explicit Queue(std::deque<std::size_t> numbers) : numbers_(std::move(numbers)) {}
+  explicit WaitingPiercings(std::deque<std::size_t> numbers) : numbers_(std::move(numbers)) {}
 
   std::optional<std::size_t> next() {
     const std::lock_guard lock(mutex_);
-    if (numbers_.empty() || failure_) return std::nullopt;
+    if (numbers_.empty() || is_stopped_) return std::nullopt;
     const std::size_t number = numbers_.front();
     numbers_.pop_front();
     return number;
@@ -53,20 +54,24 @@ class Queue {
     numbers_.push_back(number);
   }
 
-  void fail(std::exception_ptr failure) {
+  /// None is next from now on.
+  void stop() {
     const std::lock_guard lock(mutex_);
-    if (!failure_) failure_ = std::move(failure);
-  }
-
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
+    is_stopped_ = true;
   }
 
  private:
   std::mutex mutex_;
   std::deque<std::size_t> numbers_;
-  std::exception_ptr failure_;
+  bool is_stopped_ = false;
 };
+
+double longest_of(const std::vector<Configuration>& piercings) {
+  double longest = 0;
+  for (const Configuration& piercing : piercings)
+    longest = std::max(longest, simulation_end(piercing));
+  return longest;
+}
 
 }  // namespace
 
@@ -111,51 +116,54 @@ CaseStore::State CaseStore::compute(const Configuration& piercing, int threads, 
   return State::complete;
 }
 
-std::vector<json> CaseStore::run(const std::vector<Configuration>& piercings,
-                                 const std::string& label, Session& session) const {
-  const int count = static_cast<int>(piercings.size());
-  std::vector<json> results(piercings.size());
-  std::deque<std::size_t> waiting;
-  double longest = 0;
-  for (const Configuration& piercing : piercings)
-    longest = std::max(longest, simulation_end(piercing));
-  session.progress.start(label, longest, std::max(count, 1));
+std::deque<std::size_t> CaseStore::look_up(const std::vector<Configuration>& piercings,
+                                           double longest, Progress& progress,
+                                           std::vector<json>& results) const {
+  std::deque<std::size_t> missing;
   for (std::size_t i = 0; i < piercings.size(); ++i) {
     results[i] = result(piercings[i]);
     if (results[i].is_null()) {
-      waiting.push_back(i);
+      missing.push_back(i);
     } else {
-      session.progress.begin_at(longest, 0, static_cast<int>(i));
+      progress.begin_at(longest, 0, static_cast<int>(i));
     }
   }
-  const int workers = std::min<int>(session.threads, static_cast<int>(waiting.size()));
-  Queue queue(std::move(waiting));
-  const auto work = [&](int threads) {
-    omp_set_num_threads(threads);
-    while (const auto number = queue.next()) {
-      const int part = static_cast<int>(*number);
-      try {
-        const State state = Interrupt::requested()
-                                ? State::interrupted
-                                : compute(piercings[*number], threads, part, session);
-        if (state == State::complete) {
-          const json& r = results[*number] = result(piercings[*number]);
-          const double done = r.value("points", 0.) * r.value("steps", 0.);
-          session.progress.update(longest, done, "", part);
-        } else if (state == State::busy) {
-          queue.put_back(*number);
-          std::this_thread::sleep_for(std::chrono::seconds(1));
-        }
-      } catch (...) {
-        queue.fail(std::current_exception());
-      }
+  return missing;
+}
+
+std::vector<json> CaseStore::run(const std::vector<Configuration>& piercings,
+                                 const std::string& label, Session& session) const {
+  const double longest = longest_of(piercings);
+  std::vector<json> results(piercings.size());
+  session.progress.start(label, longest, std::max(static_cast<int>(piercings.size()), 1));
+  std::deque<std::size_t> missing = look_up(piercings, longest, session.progress, results);
+  const int workers = std::min<int>(session.threads, static_cast<int>(missing.size()));
+  const int threads = workers > 0 ? std::max(1, session.threads / workers) : 1;
+  WaitingPiercings waiting(std::move(missing));
+  const auto compute_one = [&](std::size_t i) {
+    const int part = static_cast<int>(i);
+    const State state = compute(piercings[i], threads, part, session);
+    if (state == State::complete) {
+      const json& r = results[i] = result(piercings[i]);
+      session.progress.update(longest, r.value("points", 0.) * r.value("steps", 0.), "", part);
+    } else if (state == State::busy) {
+      waiting.put_back(i);
+      std::this_thread::sleep_for(std::chrono::seconds(1));
     }
   };
-  std::vector<std::thread> pool;
-  for (int w = 0; w < workers; ++w) pool.emplace_back(work, std::max(1, session.threads / workers));
-  for (std::thread& thread : pool) thread.join();
+  ParallelLoop loop(workers, {workers, threads}, [&](std::size_t) {
+    try {
+      while (const auto number = waiting.next()) {
+        if (!Interrupt::requested()) compute_one(*number);
+      }
+    } catch (...) {
+      waiting.stop();
+      throw;
+    }
+  });
+  loop.join();
   session.progress.finish();
-  queue.rethrow();
+  loop.rethrow();
   return results;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -9,22 +10,22 @@
 
 namespace zona::studies::search {
 
-/// Results of piercings in a folder, each in one of its own that is named by what decides it
-/// (`study_fingerprint` and the program's version): study.toml, which `zona run` takes as it is,
-/// history.csv, tip.csv, results.json and, as long as it is not complete, checkpoints. Several
-/// processes may work on one store.
+/// Results of piercings. Each piercing has a folder, named by its `study_fingerprint` and the
+/// program's version, with study.toml, which `zona run` takes, history.csv, tip.csv, results.json
+/// and, until it is complete, checkpoints. Several processes may work on one store.
 class CaseStore {
  public:
   explicit CaseStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   std::filesystem::path folder_of(const Configuration& piercing) const;
-  /// Null when it has not been computed.
+  /// Null when there is none yet.
   nlohmann::json result(const Configuration& piercing) const;
 
-  /// Runs those that have no result, as many side by side as the session has threads, each from
-  /// its last checkpoint; results in the order of the piercings. One that another process computes
-  /// is waited for. After an interrupt, null for what is not complete. A piercing whose points go
-  /// wrong has `failure` as its result, a text. Throws RunError when files cannot be written.
+  /// Runs the piercings that have no result, as many side by side as the session has threads, each
+  /// from its last checkpoint, and waits for those that another process computes. Returns results
+  /// in the order of the piercings; after an interrupt null for what is not complete. A piercing
+  /// whose points fail has the text `failure` in its result. Throws RunError when files cannot be
+  /// written.
   std::vector<nlohmann::json> run(const std::vector<Configuration>& piercings,
                                   const std::string& label, Session& session) const;
 
@@ -32,6 +33,10 @@ class CaseStore {
   enum class State { complete, interrupted, busy };
 
   State compute(const Configuration& piercing, int threads, int part, Session& session) const;
+  /// Takes the results that are there, as parts of a stage that are done when they reach `longest`;
+  /// returns the numbers of the others.
+  std::deque<std::size_t> look_up(const std::vector<Configuration>& piercings, double longest,
+                                  Progress& progress, std::vector<nlohmann::json>& results) const;
 
   std::filesystem::path folder_;
 };

@@ -7,8 +7,8 @@
 
 namespace zona::studies::search {
 
-/// What a search makes small or keeps within limits: of the tip's motion alone, which takes a beam,
-/// or of the oocyte, which takes a piercing. Less is better, but within limits.
+/// A quantity that a search minimises or keeps within limits: one of the tip's motion, which takes
+/// a beam, or one of the oocyte, which takes a piercing. Less is better.
 struct Measure {
   enum class Of { tip, oocyte };
 
@@ -26,10 +26,10 @@ using Values = std::map<std::string, double>;
 
 const std::vector<Measure>& measures();
 
-/// Throws std::logic_error for a name that does not exist.
+/// Throws std::logic_error for an unknown name.
 const Measure& find_measure(const std::string& name);
 
-/// Names of those of tip or oocyte.
+/// Names of the measures of the tip or of the oocyte.
 std::vector<std::string> measure_names(Measure::Of of);
 std::vector<std::string> measure_names();
 

@@ -21,7 +21,7 @@ bool dominates(const Point& a, const Point& b) {
   return is_less;
 }
 
-/// Of the numbered points those that no other of them dominates. Sorted by their coordinates, a
+/// Those of the numbered points that no other of them dominates. Sorted by their coordinates, a
 /// point is dominated by a later one never, so it is enough to compare with the front so far.
 std::vector<std::size_t> front_of(const std::vector<Point>& points,
                                   std::vector<std::size_t> numbers) {

@@ -61,11 +61,11 @@ Configuration base_from(const Configuration& search) {
   Configuration base = load_reference(search.path("search.study"));
   const std::string& drive = base.choice("motion.kind");
   if (drive == "beam") return base;
-  throw InputError({search.problem(
+  throw InputError(search.problem(
       "search.study",
       fmt::format("{} moves its tip by motion.kind = \"{}\"; needs a piercing study with "
                   "motion.kind = \"beam\"",
-                  base.file().filename().string(), drive))});
+                  base.file().filename().string(), drive)));
 }
 
 void check_apart(const Configuration& search, const Plan& plan) {
@@ -87,8 +87,8 @@ void check_apart(const Configuration& search, const Plan& plan) {
 
 }  // namespace
 
-Configuration load_reference(const std::filesystem::path& file, const Settings& settings) {
-  return load_configuration(file, settings, {&piercing_schema()});
+Configuration load_reference(const std::filesystem::path& file, const Overrides& overrides) {
+  return load_configuration(file, overrides, {&piercing_schema()});
 }
 
 double Limit::excess(double value) const {
@@ -114,8 +114,8 @@ std::vector<Limit> Plan::limits_of(Measure::Of of) const {
   return chosen;
 }
 
-Configuration Plan::study(const Settings& settings) const {
-  return load_reference(base.file(), settings);
+Configuration Plan::study(const Overrides& overrides) const {
+  return load_reference(base.file(), overrides);
 }
 
 Plan plan_from(const Configuration& search) {

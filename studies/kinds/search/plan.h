@@ -12,19 +12,19 @@
 
 namespace zona::studies::search {
 
-/// What a measure must keep to, in SI.
+/// Limits of a measure, in SI.
 struct Limit {
   const Measure* measure;
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
 
   bool holds(double value) const { return value >= least && value <= most; }
-  /// How far the value is off, relative to the limit; 0 where it holds.
+  /// Distance of the value from the limit over the limit; 0 where it holds.
   double excess(double value) const;
   std::string text() const;
 };
 
-/// A search study, understood.
+/// A search study.
 struct Plan {
   Configuration base;  ///< the study that is varied; as it stands, the reference
   std::vector<Dimension> variables;
@@ -45,12 +45,12 @@ struct Plan {
   std::uint64_t seed;
 
   std::vector<Limit> limits_of(Measure::Of of) const;
-  /// The base with settings. Throws InputError where they contradict each other.
-  Configuration study(const Settings& settings) const;
+  /// The base with these overrides. Throws InputError where they contradict each other.
+  Configuration study(const Overrides& overrides) const;
 };
 
 /// The piercing study that a search varies. Throws InputError for a study of another kind.
-Configuration load_reference(const std::filesystem::path& file, const Settings& settings = {});
+Configuration load_reference(const std::filesystem::path& file, const Overrides& overrides = {});
 
 /// The plan of a search, with the study that it varies. Throws InputError.
 Plan plan_from(const Configuration& search);

@@ -11,7 +11,7 @@ namespace zona::studies::search {
 
 namespace {
 
-constexpr double kLow = 0.05, kHigh = 0.95;
+constexpr double low_share = 0.05, high_share = 0.95;
 
 double value_of(const Values& values, const std::string& measure) {
   const auto found = values.find(measure);
@@ -75,8 +75,8 @@ std::vector<Verdict> judge(const Plan& plan, const Candidate& reference,
       double better = 0;
       for (std::size_t i = 0; i < std::min(values.size(), others.size()); ++i)
         if (values[i] < others[i]) ++better;
-      verdict.measures[measure.name] = {quantile(values, 0.5), quantile(values, kLow),
-                                        quantile(values, kHigh),
+      verdict.measures[measure.name] = {quantile(values, 0.5), quantile(values, low_share),
+                                        quantile(values, high_share),
                                         better / static_cast<double>(values.size())};
     }
     const auto kept = std::count_if(finalist.samples.begin(), finalist.samples.end(),

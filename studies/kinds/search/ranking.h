@@ -11,15 +11,13 @@ namespace zona::studies::search {
 
 /// A design that pierces, or the reference.
 struct Candidate {
-  std::string label;   ///< "FC-40 2"; "reference"
-  Settings settings;   ///< beside those of the base
-  bool is_free;        ///< of the fluids to be avoided
-  std::string folder;  ///< of its piercing with the base's inputs
-  Values nominal;      ///< with the base's inputs; without oocyte's measures where it failed
+  std::string label;    ///< "FC-40 2"; "reference"
+  Overrides overrides;  ///< of the base
+  bool is_free;         ///< of the fluids to be avoided
+  std::string folder;   ///< of its piercing with the base's inputs
+  Values nominal;       ///< with the base's inputs; without oocyte's measures where it failed
   std::vector<std::string> warnings{};  ///< where the bath's load is taken too far
   std::vector<Values> samples{};  ///< with each sample of the uncertain inputs; empty: no finalist
-
-  bool is_finalist() const { return !samples.empty(); }
 };
 
 /// A measure over the samples.
@@ -28,7 +26,7 @@ struct Spread {
   double better;             ///< share of the samples in which it is less than the reference's
 };
 
-/// What the samples say about a candidate.
+/// Judgement of a candidate by its samples.
 struct Verdict {
   std::map<std::string, Spread> measures;  ///< of all that are known in every sample
   double keeps_limits = 0;                 ///< share of the samples
@@ -38,14 +36,14 @@ struct Verdict {
   bool is_answer = false;
 };
 
-/// Whether every limit holds; not where a measure is unknown.
+/// Every limit holds and every measure is known.
 bool keeps(const std::vector<Limit>& limits, const Values& values);
 
 /// Candidates by their nominal values, the best first: those within the limits, by front, then by
 /// the first objective.
 std::vector<std::size_t> nominal_order(const Plan& plan, const std::vector<Candidate>& candidates);
 
-/// Of all finalists, in the order of the candidates; the reference must have samples, too.
+/// Verdicts on all finalists, in their order; the reference must have samples, too.
 std::vector<Verdict> judge(const Plan& plan, const Candidate& reference,
                            const std::vector<Candidate>& finalists);
 

@@ -11,7 +11,7 @@ namespace zona::studies::search {
 
 /// The uncertain inputs of one sample.
 struct Sample {
-  Settings settings;
+  Overrides overrides;
   std::vector<double> values;  ///< in the units of the inputs; the number of a listed value
 };
 
@@ -23,7 +23,7 @@ struct End {
   Values values;
 };
 
-/// What a search has come to, stage by stage.
+/// Results of a search, stage by stage.
 struct Record {
   Plan plan;
   std::vector<Sample> samples{};
@@ -31,9 +31,9 @@ struct Record {
   double tip_seconds = 0;  ///< wall time of the beams
   Candidate reference{};
   std::vector<Candidate> candidates{};
-  std::vector<Trial> trials{};           ///< of the second optimiser
-  std::vector<std::size_t> finalists{};  ///< numbers of candidates, the best first
-  std::vector<Verdict> verdicts{};       ///< of the finalists
+  std::vector<Evaluation> evaluations{};  ///< of the second optimiser
+  std::vector<std::size_t> finalists{};   ///< numbers of candidates, the best first
+  std::vector<Verdict> verdicts{};        ///< of the finalists
   std::optional<Verdict> reference_verdict{};
   std::vector<End> ends{};
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "studies/kinds/search/ranking_text.h"
 #include "studies/run/history_file.h"
 #include "studies/run/resolved_study.h"
 
@@ -23,11 +24,11 @@ void add_ranges(const Plan& plan, std::vector<Column>& columns) {
 
 /// The listed values of a design in words, and its numbers.
 std::pair<std::string, std::vector<double>> words_and_numbers(const Plan& plan,
-                                                              const Settings& settings) {
+                                                              const Overrides& overrides) {
   std::string words;
   std::vector<double> numbers;
   for (std::size_t i = 0; i < plan.variables.size(); ++i) {
-    const std::string value = shown_value(settings[i]);
+    const std::string value = shown_value(overrides[i]);
     if (plan.variables[i].is_list()) {
       words += (words.empty() ? "" : "; ") + value;
     } else {
@@ -61,21 +62,21 @@ void write_samples(const Record& record, const RunDirectory& directory) {
   }
 }
 
-/// Way by way, in the order in which they were made.
-void write_trials(const Record& record, const RunDirectory& directory) {
-  if (record.trials.empty()) return;
+/// Evaluations of the local searches, one search after the other.
+void write_evaluations(const Record& record, const RunDirectory& directory) {
+  if (record.evaluations.empty()) return;
   std::vector<Column> columns{{"design", ""}, {"way", ""}};
   add_ranges(record.plan, columns);
   columns.push_back({"cost", ""});
   for (const Measure& measure : measures()) columns.push_back({measure.name, measure.unit});
   HistoryFile file(directory.file("trials.csv"), columns);
-  for (const Trial& trial : record.trials) {
-    const auto [words, numbers] = words_and_numbers(record.plan, trial.design.settings);
-    std::vector<double> row{static_cast<double>(trial.start + 1)};
+  for (const Evaluation& evaluation : record.evaluations) {
+    const auto [words, numbers] = words_and_numbers(record.plan, evaluation.design.overrides);
+    std::vector<double> row{static_cast<double>(evaluation.start + 1)};
     row.insert(row.end(), numbers.begin(), numbers.end());
-    row.push_back(trial.cost);
+    row.push_back(evaluation.cost);
     for (const Measure& measure : measures())
-      row.push_back(value_or_nan(trial.values, measure.name));
+      row.push_back(value_or_nan(evaluation.values, measure.name));
     file.add(words, row);
   }
 }
@@ -86,15 +87,15 @@ void write_candidates(const Record& record, const RunDirectory& directory) {
   for (std::size_t rank = 0; rank < record.finalists.size(); ++rank) {
     const Candidate& candidate = record.candidates[record.finalists[rank]];
     directory.write(fmt::format("candidates/{}.toml", rank + 1),
-                    resolved_study(record.plan.study(candidate.settings)));
+                    resolved_study(record.plan.study(candidate.overrides)));
   }
 }
 
 json candidate_json(const Candidate& candidate) {
-  json settings = json::object();
-  for (const std::string& setting : candidate.settings)
-    settings[key_of(setting)] = shown_value(setting);
-  return {{"label", candidate.label},       {"settings", settings},
+  json overrides = json::object();
+  for (const std::string& entry : candidate.overrides)
+    overrides[key_of(entry)] = shown_value(entry);
+  return {{"label", candidate.label},       {"settings", overrides},
           {"avoids", candidate.is_free},    {"folder", candidate.folder},
           {"warnings", candidate.warnings}, {"nominal", candidate.nominal}};
 }
@@ -112,7 +113,7 @@ json verdict_json(const Verdict& verdict) {
           {"is_answer", verdict.is_answer}};
 }
 
-/// The uncertain inputs: how much they matter, and what their ends come to.
+/// The uncertain inputs: correlations with the objectives, and the results at their ends.
 json uncertain_json(const Record& record) {
   std::vector<const Candidate*> subjects{&record.reference};
   for (const std::size_t i : record.finalists) subjects.push_back(&record.candidates[i]);
@@ -144,56 +145,50 @@ json uncertain_json(const Record& record) {
   return inputs;
 }
 
-std::string table(const Record& record) {
-  const auto cell = [](const Measure& measure, const Verdict& verdict) {
-    const auto found = verdict.measures.find(measure.name);
-    if (found == verdict.measures.end()) return std::string("unknown");
-    const Spread& s = found->second;
-    return fmt::format("{} ({}-{})", shown_number(measure, s.median), shown_number(measure, s.low),
-                       shown_number(measure, s.high));
-  };
-  std::string text = fmt::format("{:>4}  {:<24}{:>7}", "rank", "design", "limits");
-  for (const Measure* m : record.plan.objectives)
-    text +=
-        fmt::format("{:>28}", m->title + (m->shown_unit.empty() ? "" : " [" + m->shown_unit + "]"));
-  text += "  better\n";
-  const auto add = [&](const std::string& rank, const Candidate& candidate,
-                       const Verdict& verdict) {
-    text +=
-        fmt::format("{:>4}  {:<24}{:>5.0f} %", rank, candidate.label, 100 * verdict.keeps_limits);
-    for (const Measure* measure : record.plan.objectives)
-      text += fmt::format("{:>28}", cell(*measure, verdict));
-    const auto first = verdict.measures.find(record.plan.objectives.front()->name);
-    text += first == verdict.measures.end()
-                ? "\n"
-                : fmt::format("{:>6.0f} %{}\n", 100 * first->second.better,
-                              verdict.is_answer ? "  *" : "");
-  };
-  add("", record.reference, *record.reference_verdict);
-  for (std::size_t r = 0; r < record.finalists.size(); ++r)
-    add(std::to_string(r + 1), record.candidates[record.finalists[r]], record.verdicts[r]);
-  const auto answers = std::count_if(record.verdicts.begin(), record.verdicts.end(),
-                                     [](const Verdict& verdict) { return verdict.is_answer; });
-  text += fmt::format(
-      "Medians over {} samples of the uncertain inputs, 5 to 95 % in brackets. Better: share of "
-      "the samples in which {} is below the reference's.\n",
-      record.samples.size(), record.plan.objectives.front()->title);
-  const std::string without =
-      record.plan.avoid.empty() ? "" : " without " + joined(record.plan.avoid);
-  text += answers > 0 ? fmt::format(
-                            "{} designs{} (*) keep to the limits and are better in at least "
-                            "{:.0f} % of the samples.\n",
-                            answers, without, 100 * record.plan.confidence)
-                      : fmt::format(
-                            "No design{} keeps to the limits and is better in {:.0f} % of the "
-                            "samples, in the ranges tried.\n",
-                            without, 100 * record.plan.confidence);
-  for (const End& end : record.ends)
-    if (!keeps(record.plan.limits_of(Measure::Of::oocyte), end.values))
-      text += fmt::format("With {} at the {} end of its range {} leaves the limits.\n",
-                          record.plan.uncertain[end.input].key, end.is_high ? "high" : "low",
-                          end.subject);
-  return text;
+json measures_json() {
+  json titles = json::object();
+  for (const Measure& measure : measures())
+    titles[measure.name] = {{"title", measure.title},
+                            {"factor", measure.shown_factor},
+                            {"unit", measure.shown_unit},
+                            {"meaning", measure.documentation}};
+  return titles;
+}
+
+json names_json(const std::vector<const Measure*>& measures) {
+  json names = json::array();
+  for (const Measure* measure : measures) names.push_back(measure->name);
+  return names;
+}
+
+json candidates_json(const Record& record) {
+  json list = json::array();
+  for (const Candidate& candidate : record.candidates) list.push_back(candidate_json(candidate));
+  for (std::size_t rank = 0; rank < record.verdicts.size(); ++rank) {
+    list[record.finalists[rank]].update(verdict_json(record.verdicts[rank]));
+    list[record.finalists[rank]]["rank"] = rank + 1;
+  }
+  return list;
+}
+
+void add_results(const Record& record, json& results) {
+  const Plan& plan = record.plan;
+  results["beams"] = {{"designs", record.tips.designs.size()},
+                      {"impossible", record.tips.impossible},
+                      {"seconds", record.tip_seconds}};
+  results["measures"] = measures_json();
+  results["tip_objectives"] = names_json(plan.tip_objectives);
+  json limits = json::array();
+  for (const Limit& limit : plan.limits) limits.push_back(limit.text());
+  results["limits"] = limits;
+  results["objectives"] = names_json(plan.objectives);
+  results["avoid"] = plan.avoid;
+  results["confidence"] = plan.confidence;
+  results["reference"] = candidate_json(record.reference);
+  if (record.reference_verdict)
+    results["reference"].update(verdict_json(*record.reference_verdict));
+  results["candidates"] = candidates_json(record);
+  results["trials"] = record.evaluations.size();
 }
 
 }  // namespace
@@ -205,7 +200,7 @@ void write_designs(const Record& record, const RunDirectory& directory) {
     columns.push_back({name, find_measure(name).unit});
   HistoryFile file(directory.file("designs.csv"), columns);
   for (const Design& design : record.tips.designs) {
-    auto [words, row] = words_and_numbers(record.plan, design.settings);
+    auto [words, row] = words_and_numbers(record.plan, design.overrides);
     for (const std::string& name : measure_names(Measure::Of::tip))
       row.push_back(design.tip.at(name));
     file.add(words, row);
@@ -213,45 +208,13 @@ void write_designs(const Record& record, const RunDirectory& directory) {
 }
 
 void write_record(const Record& record, Session& session) {
-  json& results = session.results;
-  results["beams"] = {{"designs", record.tips.designs.size()},
-                      {"impossible", record.tips.impossible},
-                      {"seconds", record.tip_seconds}};
-  json titles = json::object();
-  for (const Measure& measure : measures())
-    titles[measure.name] = {{"title", measure.title},
-                            {"factor", measure.shown_factor},
-                            {"unit", measure.shown_unit},
-                            {"meaning", measure.documentation}};
-  results["measures"] = titles;
-  results["tip_objectives"] = json::array();
-  for (const Measure* objective : record.plan.tip_objectives)
-    results["tip_objectives"].push_back(objective->name);
-  json limits = json::array();
-  for (const Limit& limit : record.plan.limits) limits.push_back(limit.text());
-  results["limits"] = limits;
-  json objectives = json::array();
-  for (const Measure* objective : record.plan.objectives) objectives.push_back(objective->name);
-  results["objectives"] = objectives;
-  results["avoid"] = record.plan.avoid;
-  results["confidence"] = record.plan.confidence;
-  results["reference"] = candidate_json(record.reference);
-  if (record.reference_verdict)
-    results["reference"].update(verdict_json(*record.reference_verdict));
-  json list = json::array();
-  for (const Candidate& candidate : record.candidates) list.push_back(candidate_json(candidate));
-  for (std::size_t rank = 0; rank < record.verdicts.size(); ++rank) {
-    list[record.finalists[rank]].update(verdict_json(record.verdicts[rank]));
-    list[record.finalists[rank]]["rank"] = rank + 1;
-  }
-  results["candidates"] = list;
-  results["trials"] = record.trials.size();
+  add_results(record, session.results);
   if (record.verdicts.empty()) return;  // interrupted
-  results["uncertain"] = uncertain_json(record);
+  session.results["uncertain"] = uncertain_json(record);
   write_samples(record, session.directory);
-  write_trials(record, session.directory);
+  write_evaluations(record, session.directory);
   write_candidates(record, session.directory);
-  session.conclusion = table(record);
+  session.conclusion = ranking_text(record);
   session.directory.write("ranking.txt", session.conclusion);
 }
 

@@ -3,92 +3,93 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <memory>
 #include <nlopt.hpp>
-#include <thread>
 
-#include "studies/kinds/search/merit.h"
-#include "studies/kinds/search/rendezvous.h"
+#include "studies/kinds/search/batch_evaluator.h"
+#include "studies/kinds/search/cost.h"
 #include "studies/run/interrupt.h"
+#include "studies/run/parallel.h"
 
 namespace zona::studies::search {
 
 namespace {
 
-/// First steps and smallest ones, in ranges.
-constexpr double kFirstStep = 0.12, kLastStep = 0.01;
-/// Designs that leave limits of the tip cost a beam only; of those that many per piercing.
-constexpr long kMostBeams = 20;
-/// What leaving a limit by its own size costs, in what the reference comes to.
-constexpr double kPenalty = 10;
-/// More than what is worth keeping; finite, because the optimiser lays planes through its values.
-constexpr double kLeavesTip = 10, kImpossible = 100;
+/// First and smallest steps, as fractions of the ranges.
+constexpr double first_step = 0.12, last_step = 0.01;
+/// Most beams per piercing: designs that violate limits of the tip take a beam only.
+constexpr long most_beams = 20;
+/// Penalty per 100 % violation, in units of the reference value.
+constexpr double penalty = 10;
+/// Costs of designs that violate limits of the tip, and of impossible ones. Greater than any cost
+/// worth keeping, but finite, because the optimiser fits planes to its values.
+constexpr double tip_violated = 10, impossible = 100;
 
-/// The way from one start.
-class Way {
+/// The search from one start.
+class LocalSearch {
  public:
-  Way(const Plan& plan, std::size_t number, const Design& start, const Values& reference,
-      Rendezvous& rendezvous)
+  LocalSearch(const Plan& plan, std::size_t number, const Design& start, const Values& reference,
+              BatchEvaluator& evaluator)
       : plan_(plan),
         number_(number),
         combination_(combinations(plan.variables)[start.combination]),
         start_(start),
         reference_(reference),
-        rendezvous_(rendezvous),
+        evaluator_(evaluator),
         meter_(plan, {}) {}
 
-  void go() {
+  void run() {
     std::vector<double> place = start_.place;
     nlopt::opt optimiser(nlopt::LN_COBYLA, static_cast<unsigned>(place.size()));
-    const nlopt::vfunc cost = [](const std::vector<double>& x, std::vector<double>&, void* way) {
-      return static_cast<Way*>(way)->cost_at(x);
+    const nlopt::vfunc cost = [](const std::vector<double>& x, std::vector<double>&, void* search) {
+      return static_cast<LocalSearch*>(search)->cost_at(x);
     };
     optimiser.set_min_objective(cost, this);
     optimiser.set_lower_bounds(0);
     optimiser.set_upper_bounds(1);
-    optimiser.set_initial_step(kFirstStep);
-    optimiser.set_xtol_abs(kLastStep);
-    optimiser.set_maxeval(static_cast<int>(kMostBeams * static_cast<long>(plan_.refinements)));
+    optimiser.set_initial_step(first_step);
+    optimiser.set_xtol_abs(last_step);
+    optimiser.set_maxeval(static_cast<int>(most_beams * static_cast<long>(plan_.refinements)));
     double least = 0;
     try {
       optimiser.optimize(place, least);
     } catch (const nlopt::forced_stop&) {
-    } catch (const nlopt::roundoff_limited&) {  // it has come as far as it can
+    } catch (const nlopt::roundoff_limited&) {  // as good as rounding allows
     }
   }
 
-  const std::vector<Trial>& trials() const { return trials_; }
+  const std::vector<Evaluation>& evaluations() const { return evaluations_; }
 
  private:
   double cost_at(const std::vector<double>& place) {
-    if (Interrupt::requested() || trials_.size() == plan_.refinements) throw nlopt::forced_stop();
-    const Settings settings = settings_at(plan_.variables, combination_, place);
-    for (const Trial& trial : trials_)
-      if (trial.design.settings == settings) return trial.cost;
-    const auto tip = meter_.measure(settings);
-    if (!tip) return kImpossible;
-    const double off = excess(plan_.limits_of(Measure::Of::tip), *tip);
-    if (off > 0) return std::min(kLeavesTip + kPenalty * off, kImpossible);
-    const nlohmann::json piercing = rendezvous_.ask(number_, plan_.study(settings));
+    if (Interrupt::requested() || evaluations_.size() == plan_.refinements)
+      throw nlopt::forced_stop();
+    const Overrides overrides = overrides_at(plan_.variables, combination_, place);
+    for (const Evaluation& evaluation : evaluations_)
+      if (evaluation.design.overrides == overrides) return evaluation.cost;
+    const auto tip = meter_.measure(overrides);
+    if (!tip) return impossible;
+    const double violation = excess(plan_.limits_of(Measure::Of::tip), *tip);
+    if (violation > 0) return std::min(tip_violated + penalty * violation, impossible);
+    const nlohmann::json piercing = evaluator_.evaluate(number_, plan_.study(overrides));
     if (piercing.is_null()) throw nlopt::forced_stop();
-    Trial trial{
-        number_, {start_.combination, place, settings, *tip}, all_values(*tip, piercing), 0};
-    trial.cost = cost_of(trial.values);
-    trials_.push_back(trial);
-    return trial.cost;
+    Evaluation evaluation{
+        number_, {start_.combination, place, overrides, *tip}, all_values(*tip, piercing), 0};
+    evaluation.cost = cost_of(evaluation.values);
+    evaluations_.push_back(evaluation);
+    return evaluation.cost;
   }
 
   double cost_of(const Values& values) const {
     std::vector<double> ratios;
     for (const Measure* objective : plan_.objectives) {
       const auto found = values.find(objective->name);
-      if (found == values.end()) return kImpossible;
+      if (found == values.end()) return impossible;
       const auto known = reference_.find(objective->name);
       const bool counts = known != reference_.end() && known->second > 0;
       ratios.push_back(found->second / (counts ? known->second : 1));
     }
-    return std::min(worst_of(ratios) + kPenalty * excess(plan_.limits, values), kImpossible);
+    return std::min(worst_of(ratios) + penalty * excess(plan_.limits, values), impossible);
   }
 
   const Plan& plan_;
@@ -96,9 +97,22 @@ class Way {
   std::vector<std::size_t> combination_;
   const Design& start_;
   const Values& reference_;
-  Rendezvous& rendezvous_;
+  BatchEvaluator& evaluator_;
   TipMeter meter_;
-  std::vector<Trial> trials_;
+  std::vector<Evaluation> evaluations_;
+};
+
+/// Lets a caller leave at the end of a scope, also after an error.
+class Leaving {
+ public:
+  Leaving(BatchEvaluator& evaluator, std::size_t caller) : evaluator_(evaluator), caller_(caller) {}
+  ~Leaving() { evaluator_.leave(caller_); }
+  Leaving(const Leaving&) = delete;
+  Leaving& operator=(const Leaving&) = delete;
+
+ private:
+  BatchEvaluator& evaluator_;
+  std::size_t caller_;
 };
 
 }  // namespace
@@ -111,40 +125,29 @@ Values all_values(const Values& tip, const nlohmann::json& piercing) {
   return values;
 }
 
-std::vector<Trial> refine(const Plan& plan, const std::vector<Design>& starts,
-                          const Values& reference, const CaseStore& store, Session& session) {
-  Rendezvous rendezvous(starts.size());
-  std::vector<std::unique_ptr<Way>> ways;
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    ways.push_back(std::make_unique<Way>(plan, i, starts[i], reference, rendezvous));
-  std::vector<std::exception_ptr> failures(starts.size());
-  std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    threads.emplace_back([&, i] {
-      try {
-        ways[i]->go();
-      } catch (...) {
-        failures[i] = std::current_exception();
-      }
-      rendezvous.leave(i);
-    });
-  std::exception_ptr failure;
+std::vector<Evaluation> refine(const Plan& plan, const std::vector<Design>& starts,
+                               const Values& reference, const CaseStore& store, Session& session) {
+  const std::size_t count = starts.size();
+  BatchEvaluator evaluator(count);
+  std::vector<std::unique_ptr<LocalSearch>> searches;
+  for (std::size_t i = 0; i < count; ++i)
+    searches.push_back(std::make_unique<LocalSearch>(plan, i, starts[i], reference, evaluator));
+  // All at a time: the evaluator waits for each of them.
+  ParallelLoop loop(count, {static_cast<int>(count), 1}, [&](std::size_t i) {
+    const Leaving leaving(evaluator, i);
+    searches[i]->run();
+  });
   int round = 0;
-  try {
-    rendezvous.serve([&](const std::vector<Configuration>& piercings) {
-      return store.run(piercings, fmt::format("refinement, round {}", ++round), session);
-    });
-  } catch (...) {
-    failure = std::current_exception();
-  }
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
-  std::vector<Trial> trials;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    if (failures[i]) std::rethrow_exception(failures[i]);
-    trials.insert(trials.end(), ways[i]->trials().begin(), ways[i]->trials().end());
-  }
-  return trials;
+  evaluator.serve([&](const std::vector<Configuration>& piercings) {
+    return store.run(piercings, fmt::format("refinement, round {}", ++round), session);
+  });
+  loop.join();
+  loop.rethrow();
+  std::vector<Evaluation> evaluations;
+  for (const auto& search : searches)
+    evaluations.insert(evaluations.end(), search->evaluations().begin(),
+                       search->evaluations().end());
+  return evaluations;
 }
 
 }  // namespace zona::studies::search

@@ -30,7 +30,7 @@ std::vector<Sample> samples_of(const Plan& plan) {
       const Dimension& input = plan.uncertain[i];
       const auto number =
           static_cast<std::size_t>(place[i] * static_cast<double>(input.values.size()));
-      sample.settings.push_back(input.is_list() ? input.choose(number) : input.at(place[i]));
+      sample.overrides.push_back(input.is_list() ? input.choose(number) : input.at(place[i]));
       sample.values.push_back(input.is_list() ? static_cast<double>(number)
                                               : input.value(place[i]));
     }
@@ -39,8 +39,8 @@ std::vector<Sample> samples_of(const Plan& plan) {
   return samples;
 }
 
-Settings joined_settings(const Settings& a, const Settings& b) {
-  Settings both = a;
+Overrides combined(const Overrides& a, const Overrides& b) {
+  Overrides both = a;
   both.insert(both.end(), b.begin(), b.end());
   return both;
 }
@@ -60,7 +60,7 @@ std::string label_of(const Plan& plan, const Design& design, int number) {
   std::string label;
   for (std::size_t i = 0; i < plan.variables.size(); ++i)
     if (plan.variables[i].is_list())
-      label += (label.empty() ? "" : " ") + shown_value(design.settings[i]);
+      label += (label.empty() ? "" : " ") + shown_value(design.overrides[i]);
   return fmt::format("{} {}", label.empty() ? "design" : label, number);
 }
 
@@ -94,10 +94,10 @@ class SearchRun {
   void refine_candidates();
   void pierce_finalists();
   void pierce_ends();
-  /// Numbers of candidates that the second optimiser starts from.
+  /// Numbers of the candidates that the second optimiser starts from.
   std::vector<std::size_t> starts() const;
   Candidate candidate_of(const std::string& label, const Design& design) const;
-  /// What its piercing with the base's inputs has come to.
+  /// Takes the result of a candidate's piercing with the base's inputs.
   void take_result(const Configuration& piercing, const json& result, Candidate& candidate) const;
 
   Session& session_;
@@ -140,7 +140,7 @@ void SearchRun::pierce_candidates() {
     const Design& design = record_.tips.designs[chosen[i]];
     const bool is_same = i > 0 && designs_.back().combination == design.combination;
     number = is_same ? number + 1 : 1;
-    studies.push_back(plan_.study(design.settings));
+    studies.push_back(plan_.study(design.overrides));
     record_.candidates.push_back(candidate_of(label_of(plan_, design, number), design));
     designs_.push_back(design);
   }
@@ -150,7 +150,7 @@ void SearchRun::pierce_candidates() {
 }
 
 Candidate SearchRun::candidate_of(const std::string& label, const Design& design) const {
-  return {label, design.settings, is_free_of(plan_.study(design.settings), plan_.avoid), "",
+  return {label, design.overrides, is_free_of(plan_.study(design.overrides), plan_.avoid), "",
           design.tip};
 }
 
@@ -177,15 +177,16 @@ void SearchRun::refine_candidates() {
   const std::vector<std::size_t> from = starts();
   std::vector<Design> designs;
   for (const std::size_t i : from) designs.push_back(designs_[i]);
-  record_.trials = refine(plan_, designs, record_.reference.nominal, store_, session_);
+  record_.evaluations = refine(plan_, designs, record_.reference.nominal, store_, session_);
   for (std::size_t k = 0; k < from.size(); ++k) {
-    const Trial* best = nullptr;
-    for (const Trial& trial : record_.trials)
-      if (trial.start == k && (best == nullptr || trial.cost < best->cost)) best = &trial;
-    // The first trial is the start itself.
-    if (best == nullptr || best->design.settings == designs[k].settings) continue;
+    const Evaluation* best = nullptr;
+    for (const Evaluation& evaluation : record_.evaluations)
+      if (evaluation.start == k && (best == nullptr || evaluation.cost < best->cost))
+        best = &evaluation;
+    // The first evaluation is the start itself.
+    if (best == nullptr || best->design.overrides == designs[k].overrides) continue;
     Candidate found = candidate_of(record_.candidates[from[k]].label + " refined", best->design);
-    const Configuration piercing = plan_.study(best->design.settings);
+    const Configuration piercing = plan_.study(best->design.overrides);
     take_result(piercing, store_.result(piercing), found);
     record_.candidates.push_back(found);
     designs_.push_back(best->design);
@@ -199,20 +200,19 @@ void SearchRun::pierce_finalists() {
     record_.samples.push_back({});  // nothing is uncertain: the base's inputs
   std::vector<Configuration> studies;
   for (const Sample& sample : record_.samples) {
-    studies.push_back(plan_.study(sample.settings));
+    studies.push_back(plan_.study(sample.overrides));
     for (const std::size_t i : record_.finalists)
-      studies.push_back(
-          plan_.study(joined_settings(sample.settings, record_.candidates[i].settings)));
+      studies.push_back(plan_.study(combined(sample.overrides, record_.candidates[i].overrides)));
   }
   const auto results = store_.run(studies, "piercings with uncertain inputs", session_);
   if (Interrupt::requested()) return;
   std::size_t next = 0;
   for (const Sample& sample : record_.samples) {
-    TipMeter meter(plan_, sample.settings);
+    TipMeter meter(plan_, sample.overrides);
     record_.reference.samples.push_back(all_values(meter.reference(), results[next++]));
     for (const std::size_t i : record_.finalists)
       record_.candidates[i].samples.push_back(all_values(
-          meter.measure(record_.candidates[i].settings).value_or(Values{}), results[next++]));
+          meter.measure(record_.candidates[i].overrides).value_or(Values{}), results[next++]));
   }
   std::vector<Candidate> judged;
   for (const std::size_t i : record_.finalists) judged.push_back(record_.candidates[i]);
@@ -238,14 +238,14 @@ void SearchRun::pierce_ends() {
   for (std::size_t input = 0; input < plan_.uncertain.size(); ++input) {
     for (const bool is_high : {false, true}) {
       const Dimension& dimension = plan_.uncertain[input];
-      const Settings end{dimension.is_list()
-                             ? dimension.choose(is_high ? dimension.values.size() - 1 : 0)
-                             : dimension.at(is_high ? 1 : 0)};
+      const Overrides end{dimension.is_list()
+                              ? dimension.choose(is_high ? dimension.values.size() - 1 : 0)
+                              : dimension.at(is_high ? 1 : 0)};
       TipMeter meter(plan_, end);
       for (const Candidate* subject : {&record_.reference, &record_.candidates[best]}) {
-        studies.push_back(plan_.study(joined_settings(end, subject->settings)));
+        studies.push_back(plan_.study(combined(end, subject->overrides)));
         record_.ends.push_back(
-            {input, is_high, subject->label, meter.measure(subject->settings).value_or(Values{})});
+            {input, is_high, subject->label, meter.measure(subject->overrides).value_or(Values{})});
       }
     }
   }

@@ -6,9 +6,9 @@
 
 namespace zona::studies::search {
 
-/// Carries a search out: beams, piercings of candidates, refinement, piercings with uncertain
-/// inputs, derivatives; writes what it comes to, also when it is interrupted. Throws RunError where
-/// no design keeps to the limits of the tip.
+/// Runs a search: beams, piercings of candidates, refinement, piercings with uncertain inputs,
+/// derivatives. Writes the results, also when it is interrupted. Throws RunError when no design
+/// keeps to the limits of the tip.
 void run_search(const Configuration& search, Session& session);
 
 /// Beams and piercings that a search takes at most.

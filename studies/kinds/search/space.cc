@@ -13,7 +13,7 @@ namespace zona::studies::search {
 
 namespace {
 
-/// What stands behind the number of a quantity: "us" of "20 us".
+/// The unit of a quantity as it is written: "us" of "20 us".
 std::string unit_of(const TomlValue& value) {
   if (value.type != TomlValue::Type::text) return "";
   char* end = nullptr;
@@ -178,23 +178,23 @@ std::vector<std::vector<std::size_t>> combinations(const std::vector<Dimension>&
   return all;
 }
 
-std::string key_of(const std::string& setting) {
-  return setting.substr(0, setting.find('='));
+std::string key_of(const std::string& entry) {
+  return entry.substr(0, entry.find('='));
 }
 
-Settings settings_at(const std::vector<Dimension>& dimensions,
-                     const std::vector<std::size_t>& combination,
-                     const std::vector<double>& place) {
-  Settings settings;
+Overrides overrides_at(const std::vector<Dimension>& dimensions,
+                       const std::vector<std::size_t>& combination,
+                       const std::vector<double>& place) {
+  Overrides overrides;
   std::size_t list = 0, range = 0;
   for (const Dimension& dimension : dimensions)
-    settings.push_back(dimension.is_list() ? dimension.choose(combination[list++])
-                                           : dimension.at(place[range++]));
-  return settings;
+    overrides.push_back(dimension.is_list() ? dimension.choose(combination[list++])
+                                            : dimension.at(place[range++]));
+  return overrides;
 }
 
-std::string shown_value(const std::string& setting) {
-  std::string value = setting.substr(setting.find('=') + 1);
+std::string shown_value(const std::string& entry) {
+  std::string value = entry.substr(entry.find('=') + 1);
   if (value.size() >= 2 && value.front() == '"') value = value.substr(1, value.size() - 2);
   return value;
 }

@@ -8,24 +8,25 @@
 
 namespace zona::studies::search {
 
-/// What makes one study of another: "pulse.duration=\"63.2 us\"", as --set takes it.
-using Settings = std::vector<std::string>;
+/// Changes of a study, as --set takes them: "pulse.duration=\"63.2 us\"".
+using Overrides = std::vector<std::string>;
 
-/// A key of the study that is varied: through a range, or through a list of values.
+/// A key of a study whose value varies, within a range or over a list of values.
 struct Dimension {
   std::string name;                 ///< of its table in the search
   std::string key;                  ///< "pulse.duration"
   std::vector<std::string> values;  ///< of a list, as TOML
-  double low = 0, high = 0;         ///< of a range, in the unit it is written in
-  std::string unit;                 ///< that it is written in; empty for a pure number
+  double low = 0, high = 0;         ///< of a range, in `unit`
+  std::string unit;                 ///< as in the study file; empty for a pure number
   bool is_logarithmic = false;      ///< even in the logarithm
   std::string source;               ///< where the range comes from
 
   bool is_list() const { return !values.empty(); }
-  /// The value at a share of the range, in its unit, to four digits.
+  /// The value at a place from 0 to 1 in the range, in `unit`, to four digits.
   double value(double share) const;
-  /// The setting at a share of the range, or of the value by its number.
+  /// The override at a place from 0 to 1 in the range.
   std::string at(double share) const;
+  /// The override with a value of the list.
   std::string choose(std::size_t number) const;
 };
 
@@ -44,11 +45,13 @@ std::vector<std::vector<double>> latin_hypercube(std::size_t dimensions, std::si
 std::vector<std::vector<std::size_t>> combinations(const std::vector<Dimension>& dimensions);
 
 /// The design of one of these combinations, at a point of the unit cube of the ranges.
-Settings settings_at(const std::vector<Dimension>& dimensions,
-                     const std::vector<std::size_t>& combination, const std::vector<double>& place);
+Overrides overrides_at(const std::vector<Dimension>& dimensions,
+                       const std::vector<std::size_t>& combination,
+                       const std::vector<double>& place);
 
-/// The value of a setting for people: "63.2 us" of "pulse.duration=\"63.2 us\"".
-std::string shown_value(const std::string& setting);
-std::string key_of(const std::string& setting);
+/// The value of an override as people write it: "63.2 us" of "pulse.duration=\"63.2 us\"".
+std::string shown_value(const std::string& entry);
+/// The key of an override: "pulse.duration".
+std::string key_of(const std::string& entry);
 
 }  // namespace zona::studies::search

@@ -10,7 +10,7 @@
 #include "studies/kinds/search/tip_stage.h"
 #include "studies/parameters/beam_parameters.h"
 #include "studies/run/run_directory.h"
-#include "studies/simulation/trial.h"
+#include "studies/simulation/cost_forecast.h"
 
 namespace zona::studies {
 
@@ -47,18 +47,18 @@ std::string try_search(const Configuration& study, int threads) {
   TipMeter(plan, {});
   const double beam =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  const auto trial = [&] {
+  const auto forecast = [&] {
     const PiercingCase reference = reference_case(plan);
     OutputPlan output = output_plan(plan.base, reference.end);
     output.fields = false;
-    Trial one =
-        try_simulation(build_piercing(reference.setup), reference.step, reference.end, output, 1);
-    one.seconds = (one.seconds * size.piercings + beam * size.beams) / threads;
-    one.memory += one.own * (threads - 1);
-    one.disk = 0;
-    return one;
+    CostForecast cost =
+        forecast_cost(build_piercing(reference.setup), reference.step, reference.end, output, 1);
+    cost.seconds = (cost.seconds * size.piercings + beam * size.beams) / threads;
+    cost.memory += cost.own_memory * (threads - 1);
+    cost.disk = 0;
+    return cost;
   };
-  return trial_text(trial, threads);
+  return forecast_text(forecast, threads);
 }
 
 }  // namespace zona::studies

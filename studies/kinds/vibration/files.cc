@@ -4,16 +4,13 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "studies/kinds/vibration/sensitivity.h"
 #include "studies/run/history_file.h"
 
 namespace zona::studies {
-
-bool are_oblique(const std::vector<VibrationResult>& results) {
-  return !results.empty() && results.front().axial;
-}
 
 nlohmann::json to_json(const VibrationResult& result) {
   nlohmann::json json = {
@@ -48,77 +45,92 @@ nlohmann::json to_json(const VibrationResult& result) {
   return json;
 }
 
-void write_history(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
-  std::vector<Column> columns = {{"time", "s"}};
-  for (const VibrationResult& result : results)
-    columns.push_back(
-        {fmt::format("tip {} {}", result.setup.fluid.name, result.setup.pulse_label()), "m"});
-  for (const VibrationResult& result : results)
-    if (result.axial)
+namespace {
+
+/// A column per case with the tip's displacement at a sample, of the history that `of` picks.
+template <class Of>
+void add_displacements(std::vector<ValueColumn<std::size_t>>& columns, const std::string& title,
+                       const std::vector<VibrationResult>& results, const Of& of) {
+  for (const VibrationResult& result : results) {
+    if (const beam::TipHistory* history = of(result))
       columns.push_back(
-          {fmt::format("axial tip {} {}", result.setup.fluid.name, result.setup.pulse_label()),
-           "m"});
-  HistoryFile file(directory.file("history.csv"), columns);
-  const std::size_t samples = results.empty() ? 0 : results.front().history.time.size();
-  std::vector<double> row(columns.size());
-  for (std::size_t i = 0; i < samples; ++i) {
-    row[0] = results.front().history.time[i];
-    std::size_t column = 1;
-    for (const VibrationResult& result : results) row[column++] = result.history.displacement[i];
-    for (const VibrationResult& result : results)
-      if (result.axial) row[column++] = result.axial->history.displacement[i];
-    file.add(row);
+          {fmt::format("{} {} {}", title, result.setup.fluid.name, result.setup.pulse_label()), "m",
+           [history](std::size_t i) { return history->displacement[i]; }});
   }
+}
+
+}  // namespace
+
+void write_history(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
+  std::vector<ValueColumn<std::size_t>> columns = {
+      {"time", "s", [&](std::size_t i) { return results.front().history.time[i]; }}};
+  add_displacements(columns, "tip", results, [](const VibrationResult& r) { return &r.history; });
+  add_displacements(columns, "axial tip", results,
+                    [](const VibrationResult& r) { return r.axial ? &r.axial->history : nullptr; });
+  HistoryFile file(directory.file("history.csv"), headings(columns));
+  const std::size_t samples = results.empty() ? 0 : results.front().history.time.size();
+  for (std::size_t i = 0; i < samples; ++i) file.add(row_of(columns, i));
 }
 
 void write_amplitudes(const RunDirectory& directory, const std::vector<VibrationResult>& results) {
-  std::vector<Column> columns{{"fluid", ""},
-                              {"fluid_density", "kg/m^3"},
-                              {"pulse_duration", "s"},
-                              {"angular_frequency", "rad/s"},
-                              {"amplitude_ratio", ""},
-                              {"peak_displacement", "m"},
-                              {"time_of_peak", "s"},
-                              {"peak_velocity", "m/s"},
-                              {"time_of_peak_velocity", "s"},
-                              {"ring_down", "s"},
-                              {"residual_amplitude", "m"}};
-  if (are_oblique(results))
-    columns.insert(columns.end(), {{"axial_amplitude_ratio", ""},
-                                   {"axial_peak_displacement", "m"},
-                                   {"axial_time_of_peak", "s"}});
-  HistoryFile file(directory.file("amplitudes.csv"), columns);
-  for (const VibrationResult& r : results) {
-    std::vector<double> row{
-        r.setup.fluid.density, r.setup.pulse_duration,  r.setup.angular_frequency,
-        r.amplitude_ratio,     r.peak_displacement,     r.time_of_peak,
-        r.peak_velocity,       r.time_of_peak_velocity, r.ring_down,
-        r.residual_amplitude};
-    if (r.axial)
-      row.insert(row.end(),
-                 {r.axial->amplitude_ratio, r.axial->peak_displacement, r.axial->time_of_peak});
-    file.add(r.setup.fluid.name, row);
+  using Result = VibrationResult;
+  std::vector<ValueColumn<Result>> columns{
+      {"fluid_density", "kg/m^3", [](const Result& r) { return r.setup.fluid.density; }},
+      {"pulse_duration", "s", [](const Result& r) { return r.setup.pulse_duration; }},
+      {"angular_frequency", "rad/s", [](const Result& r) { return r.setup.angular_frequency; }},
+      {"amplitude_ratio", "", [](const Result& r) { return r.amplitude_ratio; }},
+      {"peak_displacement", "m", [](const Result& r) { return r.peak_displacement; }},
+      {"time_of_peak", "s", [](const Result& r) { return r.time_of_peak; }},
+      {"peak_velocity", "m/s", [](const Result& r) { return r.peak_velocity; }},
+      {"time_of_peak_velocity", "s", [](const Result& r) { return r.time_of_peak_velocity; }},
+      {"ring_down", "s", [](const Result& r) { return r.ring_down; }},
+      {"residual_amplitude", "m", [](const Result& r) { return r.residual_amplitude; }}};
+  if (is_oblique(results)) {
+    columns.insert(
+        columns.end(),
+        {{"axial_amplitude_ratio", "", [](const Result& r) { return r.axial->amplitude_ratio; }},
+         {"axial_peak_displacement", "m",
+          [](const Result& r) { return r.axial->peak_displacement; }},
+         {"axial_time_of_peak", "s", [](const Result& r) { return r.axial->time_of_peak; }}});
   }
+  HistoryFile file(directory.file("amplitudes.csv"), headings(columns, {{"fluid", ""}}));
+  for (const Result& result : results) file.add(result.setup.fluid.name, row_of(columns, result));
 }
+
+namespace {
+
+/// Relative change of a response per relative change of an input; NaN where it is unknown.
+double elasticity(const std::optional<double>& derivative, double input,
+                  const std::optional<double>& response) {
+  const bool is_known = derivative && response && *response != 0;
+  return is_known ? *derivative * input / *response : std::nan("");
+}
+
+}  // namespace
 
 void write_sensitivities(const RunDirectory& directory,
                          const std::vector<VibrationResult>& results) {
-  HistoryFile file(directory.file("sensitivities.csv"), {{"fluid; pulse; input", ""},
-                                                         {"value", "SI"},
-                                                         {"amplitude_elasticity", ""},
-                                                         {"peak_velocity_elasticity", ""},
-                                                         {"ring_down_elasticity", ""}});
-  const auto add = [&](const std::string& label, const std::optional<SensitivityResult>& s) {
-    if (!s) return;
-    const auto elasticity = [](const std::optional<double>& rate, double value,
-                               const std::optional<double>& of) {
-      return rate && of && *of != 0 ? *rate * value / *of : std::nan("");
-    };
-    for (const InputSensitivity& input : s->inputs)
-      file.add(label + "; " + input.key,
-               {input.value, elasticity(input.amplitude, input.value, s->amplitude),
-                elasticity(input.peak_velocity, input.value, s->peak_velocity),
-                elasticity(input.ring_down, input.value, s->ring_down)});
+  using Response = SensitivityResult;
+  using Input = InputSensitivity;
+  const std::vector<ValueColumn<Response, Input>> columns{
+      {"value", "SI", [](const Response&, const Input& i) { return i.value; }},
+      {"amplitude_elasticity", "",
+       [](const Response& r, const Input& i) {
+         return elasticity(i.amplitude, i.value, r.amplitude);
+       }},
+      {"peak_velocity_elasticity", "",
+       [](const Response& r, const Input& i) {
+         return elasticity(i.peak_velocity, i.value, r.peak_velocity);
+       }},
+      {"ring_down_elasticity", "", [](const Response& r, const Input& i) {
+         return elasticity(i.ring_down, i.value, r.ring_down);
+       }}};
+  HistoryFile file(directory.file("sensitivities.csv"),
+                   headings(columns, {{"fluid; pulse; input", ""}}));
+  const auto add = [&](const std::string& label, const std::optional<Response>& response) {
+    if (!response) return;
+    for (const Input& input : response->inputs)
+      file.add(label + "; " + input.key, row_of(columns, *response, input));
   };
   for (const VibrationResult& r : results) {
     const std::string label = r.setup.fluid.name + "; " + r.setup.pulse_label();

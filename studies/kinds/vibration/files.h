@@ -3,13 +3,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "studies/kinds/vibration/study.h"
+#include "studies/kinds/vibration/result.h"
 #include "studies/run/run_directory.h"
 
 namespace zona::studies {
-
-/// Whether the pulse moves the tip along the pipette, too.
-bool are_oblique(const std::vector<VibrationResult>& results);
 
 /// An entry of the results.
 nlohmann::json to_json(const VibrationResult& result);

@@ -2,7 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "studies/kinds/vibration/study.h"
+#include "studies/input/configuration.h"
+#include "studies/kinds/vibration/result.h"
 
 namespace zona::studies {
 

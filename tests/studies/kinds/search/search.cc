@@ -7,10 +7,10 @@
 #include <sstream>
 #include <thread>
 
+#include "studies/kinds/search/batch_evaluator.h"
 #include "studies/kinds/search/pareto.h"
 #include "studies/kinds/search/ranking.h"
 #include "studies/kinds/search/refinement.h"
-#include "studies/kinds/search/rendezvous.h"
 #include "studies/kinds/search/tip_stage.h"
 #include "studies/run/progress.h"
 #include "studies/run/run_directory.h"
@@ -227,7 +227,7 @@ values = ["mercury"]
     if (design.tip.at("mismatch") < best->tip.at("mismatch")) best = &design;
   // Settings have four digits, and the search ends at steps of 1e-3 of the ranges.
   CHECK(best->tip.at("mismatch") < 0.01);
-  const auto value = [&](std::size_t i) { return std::stod(shown_value(best->settings[i])); };
+  const auto value = [&](std::size_t i) { return std::stod(shown_value(best->overrides[i])); };
   CHECK(value(0) == Approx(10).epsilon(0.05));
   CHECK(value(1) == Approx(60).epsilon(0.05));
   CHECK(choose_candidates(plan, stage).size() == 1);
@@ -249,32 +249,32 @@ TEST_CASE("a tip's measures are proportional to the support's peak, the mismatch
   CHECK_FALSE(meter.measure({"pipette.inner_diameter=\"12 um\""}));
 }
 
-TEST_CASE("callers at a rendezvous are answered together, whatever comes in between") {
+TEST_CASE("a batch evaluator answers its callers together, whatever comes in between") {
   const Files files;
   const Configuration study = load_configuration(files.path("reference.toml"));
   const std::vector<int> wanted{3, 1, 4};
-  Rendezvous rendezvous(wanted.size());
-  std::vector<int> told(wanted.size(), 0);
+  BatchEvaluator evaluator(wanted.size());
+  std::vector<int> answers(wanted.size(), 0);
   std::vector<std::thread> callers;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     callers.emplace_back([&, i] {
-      for (int n = 0; n < wanted[i]; ++n) told[i] += rendezvous.ask(i, study).get<int>();
-      rendezvous.leave(i);
+      for (int n = 0; n < wanted[i]; ++n) answers[i] += evaluator.evaluate(i, study).get<int>();
+      evaluator.leave(i);
     });
   std::vector<std::size_t> batches;
-  rendezvous.serve([&](const std::vector<Configuration>& piercings) {
+  evaluator.serve([&](const std::vector<Configuration>& piercings) {
     batches.push_back(piercings.size());
     return std::vector<nlohmann::json>(piercings.size(), 1);
   });
   for (std::thread& caller : callers) caller.join();
-  CHECK(told == wanted);
+  CHECK(answers == wanted);
   CHECK(batches == std::vector<std::size_t>{3, 2, 2, 1});
 
-  // After an error all are told null, and it passes on when they have left.
-  Rendezvous failing(1);
+  // After an error all callers get null, and it is thrown when they have left.
+  BatchEvaluator failing(1);
   bool is_null = false;
   std::thread caller([&] {
-    is_null = failing.ask(0, study).is_null();
+    is_null = failing.evaluate(0, study).is_null();
     failing.leave(0);
   });
   CHECK_THROWS_WITH(failing.serve([](const auto&) -> std::vector<nlohmann::json> {
@@ -314,17 +314,17 @@ at_least = "1 um"
   nlohmann::json results;
   Session session{directory, progress, results, 2};
   const CaseStore store(files.path("cases"));
-  const Settings start{"pulse.peak=\"15.75 um\""};
-  const std::vector<Trial> trials =
+  const Overrides start{"pulse.peak=\"15.75 um\""};
+  const std::vector<Evaluation> evaluations =
       refine(plan, {{0, {0.75}, start, *meter.measure(start)}}, meter.reference(), store, session);
-  REQUIRE_FALSE(trials.empty());
-  CHECK(trials.size() <= 14);
-  CHECK(trials.front().design.settings == start);
-  double least = trials.front().values.at("support_peak");
-  for (const Trial& trial : trials) {
-    CHECK(trial.values.at("tip_travel") >= plan.limits.front().least);
-    CHECK(trial.values.count("failed_area") == 1);
-    least = std::min(least, trial.values.at("support_peak"));
+  REQUIRE_FALSE(evaluations.empty());
+  CHECK(evaluations.size() <= 14);
+  CHECK(evaluations.front().design.overrides == start);
+  double least = evaluations.front().values.at("support_peak");
+  for (const Evaluation& evaluation : evaluations) {
+    CHECK(evaluation.values.at("tip_travel") >= plan.limits.front().least);
+    CHECK(evaluation.values.count("failed_area") == 1);
+    least = std::min(least, evaluation.values.at("support_peak"));
   }
   // It stops at steps of a hundredth of the range, 0.17 um.
   CHECK(least == Approx(6.67e-6).margin(0.2e-6));

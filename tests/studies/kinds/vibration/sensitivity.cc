@@ -5,6 +5,7 @@
 
 #include "beam/frequency/transfer_function.h"
 #include "studies/kinds/study_kinds.h"
+#include "studies/kinds/vibration/case.h"
 #include "studies/kinds/vibration/sensitivity.h"
 #include "studies/parameters/beam_parameters.h"
 #include "tests/studies/study_files.h"

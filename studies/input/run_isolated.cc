@@ -1,4 +1,4 @@
-#include "studies/input/rehearsal.h"
+#include "studies/input/run_isolated.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -13,8 +13,8 @@ namespace zona::studies {
 
 namespace {
 
-/// Leaves no core behind, and lets signals end this process as they end any.
-void prepare_to_die(unsigned seconds) {
+/// Signals end this process in the default way, without a core file, and an alarm after `seconds`.
+void reset_signals(unsigned seconds) {
   const rlimit nothing{0, 0};
   setrlimit(RLIMIT_CORE, &nothing);
   for (const int number : {SIGALRM, SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) {
@@ -28,17 +28,17 @@ void prepare_to_die(unsigned seconds) {
 }
 
 [[noreturn]] void work_and_exit(const std::function<void()>& work, unsigned seconds) {
-  prepare_to_die(seconds);
+  reset_signals(seconds);
   try {
     work();
   } catch (...) {
   }
-  _exit(0);  // nothing that the other process has begun is ended here
+  _exit(0);  // runs no exit handlers, which belong to the parent process
 }
 
 }  // namespace
 
-std::string rehearse(const std::function<void()>& work, unsigned seconds) {
+std::string run_isolated(const std::function<void()>& work, unsigned seconds) {
   const pid_t child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), "no further process");
   if (child == 0) work_and_exit(work, seconds);

@@ -11,23 +11,23 @@
 
 namespace zona::studies::search {
 
-/// Where callers that each want one result after another, each in a thread of its own, meet
-/// somebody who computes many at once. He waits until every caller has asked or left, so that what
-/// a caller is told depends on nothing but what it asks.
-class Rendezvous {
+/// Computes piercings in batches for callers that run side by side, each in its own thread, and
+/// each want one result after another. A batch begins when every caller has asked or left, so that
+/// what is computed does not depend on the timing of threads.
+class BatchEvaluator {
  public:
-  explicit Rendezvous(std::size_t callers)
+  explicit BatchEvaluator(std::size_t callers)
       : questions_(callers), answers_(callers), left_(callers) {}
 
-  /// The result of a piercing, to the caller of this number; null when there will be none.
-  nlohmann::json ask(std::size_t caller, const Configuration& piercing);
+  /// The result of a piercing for a caller, from 0; waits for it. Null when there will be none.
+  nlohmann::json evaluate(std::size_t caller, const Configuration& piercing);
   /// The caller asks no more.
   void leave(std::size_t caller);
 
   using Compute =
       std::function<std::vector<nlohmann::json>(const std::vector<Configuration>& piercings)>;
-  /// Answers until all have left. An error of `compute` passes on when they have; until then all
-  /// are told null.
+  /// Computes batches until all callers have left. After an error of `compute` all callers get
+  /// null; it is thrown when they have left.
   void serve(const Compute& compute);
 
  private:

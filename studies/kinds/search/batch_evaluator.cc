@@ -1,11 +1,11 @@
-#include "studies/kinds/search/rendezvous.h"
+#include "studies/kinds/search/batch_evaluator.h"
 
 #include <algorithm>
 #include <exception>
 
 namespace zona::studies::search {
 
-nlohmann::json Rendezvous::ask(std::size_t caller, const Configuration& piercing) {
+nlohmann::json BatchEvaluator::evaluate(std::size_t caller, const Configuration& piercing) {
   std::unique_lock lock(mutex_);
   questions_[caller] = piercing;
   changed_.notify_all();
@@ -15,19 +15,19 @@ nlohmann::json Rendezvous::ask(std::size_t caller, const Configuration& piercing
   return answer;
 }
 
-void Rendezvous::leave(std::size_t caller) {
+void BatchEvaluator::leave(std::size_t caller) {
   const std::lock_guard lock(mutex_);
   left_[caller] = true;
   changed_.notify_all();
 }
 
-bool Rendezvous::all_have_asked_or_left() const {
+bool BatchEvaluator::all_have_asked_or_left() const {
   for (std::size_t i = 0; i < left_.size(); ++i)
     if (!left_[i] && !questions_[i]) return false;
   return true;
 }
 
-void Rendezvous::serve(const Compute& compute) {
+void BatchEvaluator::serve(const Compute& compute) {
   std::exception_ptr failure;
   for (;;) {
     std::unique_lock lock(mutex_);

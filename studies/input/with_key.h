@@ -7,12 +7,13 @@
 
 namespace zona::studies {
 
-/// Runs f; what it finds wrong (ModelError, TraceError, FormulaError, ...) becomes an InputError at
-/// the place of the key.
+/// Calls f and returns its result. A logic_error or runtime_error of f (ModelError, TraceError,
+/// FormulaError, ...) becomes an InputError that names `key` and its place in the study file; an
+/// InputError passes through.
 template <class F>
-auto blaming(const Configuration& study, const std::string& key, F f) {
+auto with_key(const Configuration& study, const std::string& key, F f) {
   const auto refuse = [&](const std::exception& error) {
-    return InputError(std::vector<Problem>{study.problem(key, error.what())});
+    return InputError(study.problem(key, error.what()));
   };
   try {
     return f();

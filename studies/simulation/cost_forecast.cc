@@ -1,13 +1,12 @@
-#include "studies/simulation/trial.h"
+#include "studies/simulation/cost_forecast.h"
 
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <chrono>
-#include <cmath>
-#include <fstream>
 
 #include "mpm/points/errors.h"
+#include "studies/parameters/time_step.h"
+#include "studies/run/memory.h"
 #include "studies/run/progress.h"
 #include "studies/simulation/frames.h"
 
@@ -15,7 +14,7 @@ namespace zona::studies {
 
 namespace {
 
-/// Counts what a checkpoint of the visited state would hold.
+/// Counts the bytes that a checkpoint of the visited state would hold.
 class StateSize : public mpm::StateVisitor {
  public:
   using StateVisitor::visit;
@@ -42,33 +41,18 @@ double state_size(mpm::Solver& solver) {
 /// Positions and fields in single precision, as FrameWriter stores them.
 double frame_size(const mpm::Solver& solver) {
   double values = 0;
-  for (const mpm::PointCloud& cloud : draw(solver)) {
+  for (const mpm::PointCloud& cloud : point_clouds(solver)) {
     values += cloud.positions.size();
     for (const auto& field : cloud.fields) values += field.second.size();
   }
-  for (const mpm::CellFields& cells : draw_cells(solver)) {
+  for (const mpm::CellFields& cells : cell_fields(solver)) {
     for (const auto& field : cells.fields) values += field.second.size();
   }
   return 4 * values;
 }
 
-double allocated() {
-  const struct mallinfo2 info = mallinfo2();
-  return static_cast<double>(info.uordblks + info.hblkhd);
-}
-
-/// That programs can still have [bytes].
-double available_memory() {
-  std::ifstream stream("/proc/meminfo");
-  for (std::string name, rest; stream >> name; std::getline(stream, rest)) {
-    double kilobytes = 0;
-    if (name == "MemAvailable:" && stream >> kilobytes) return 1024 * kilobytes;
-  }
-  return HUGE_VAL;
-}
-
-/// Seconds that a step takes. The first ones, which touch memory for the first time, count only
-/// where there is no time for others.
+/// Mean time of a step [s]. The first steps, which touch memory for the first time, count only
+/// where there is no time for others. `tried` becomes the time of all [s].
 double seconds_per_step(mpm::Solver& solver, long steps, double& tried) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -93,13 +77,13 @@ std::string size_text(double bytes) {
                      : fmt::format("{:.1f} GB", bytes / 1e9);
 }
 
-std::string described(const Trial& trial, int threads) {
+std::string described(const CostForecast& cost, int threads) {
   std::string text = fmt::format(
       "Here, from trying it for {:.1g} s on {} thread{}: about {}, {} of memory, {} on disk",
-      trial.tried, threads, threads == 1 ? "" : "s", duration_text(trial.seconds),
-      size_text(trial.memory), size_text(trial.disk));
+      cost.tried, threads, threads == 1 ? "" : "s", duration_text(cost.seconds),
+      size_text(cost.memory), size_text(cost.disk));
   const double available = available_memory();
-  if (trial.memory > available) {
+  if (cost.memory > available) {
     text += fmt::format("\nwarning: only {} of memory are available", size_text(available));
   }
   return text + "\n";
@@ -107,25 +91,25 @@ std::string described(const Trial& trial, int threads) {
 
 }  // namespace
 
-Trial try_simulation(mpm::Model model, double step, double end, const OutputPlan& plan,
-                     int threads) {
-  const double before = allocated();
+CostForecast forecast_cost(mpm::Model model, double step, double end, const OutputPlan& plan,
+                           int threads) {
+  const double before = allocated_memory();
   mpm::Solver solver(std::move(model), step, threads);
   const long steps = step_count(end, step);
-  Trial trial{};
-  trial.seconds = static_cast<double>(steps) * seconds_per_step(solver, steps, trial.tried);
+  CostForecast cost{};
+  cost.seconds = static_cast<double>(steps) * seconds_per_step(solver, steps, cost.tried);
   const double checkpoint = state_size(solver);
   // A checkpoint is assembled in memory, and copied once.
-  trial.own = allocated() - before + 2 * checkpoint;
-  trial.memory = peak_memory() + 2 * checkpoint;
-  trial.frames = plan.fields ? static_cast<long>(end / plan.fields_interval) + 2 : 0;
-  trial.disk = 2 * checkpoint + static_cast<double>(trial.frames) * frame_size(solver);
-  return trial;
+  cost.own_memory = allocated_memory() - before + 2 * checkpoint;
+  cost.memory = peak_memory() + 2 * checkpoint;
+  cost.frames = plan.fields ? static_cast<long>(end / plan.fields_interval) + 2 : 0;
+  cost.disk = 2 * checkpoint + static_cast<double>(cost.frames) * frame_size(solver);
+  return cost;
 }
 
-std::string trial_text(const std::function<Trial()>& trial, int threads) {
+std::string forecast_text(const std::function<CostForecast()>& forecast, int threads) {
   try {
-    return described(trial(), threads);
+    return described(forecast(), threads);
   } catch (const mpm::PointError& error) {
     return fmt::format("warning: it fails within its first steps: {}\n", error.what());
   }

@@ -1,4 +1,4 @@
-#include "studies/kinds/search/merit.h"
+#include "studies/kinds/search/cost.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,13 +8,13 @@ namespace zona::studies::search {
 
 namespace {
 
-constexpr double kAugmentation = 0.01;
+constexpr double augmentation = 0.01;
 
 }  // namespace
 
 double worst_of(const std::vector<double>& objectives) {
   return *std::max_element(objectives.begin(), objectives.end()) +
-         kAugmentation * std::accumulate(objectives.begin(), objectives.end(), 0.);
+         augmentation * std::accumulate(objectives.begin(), objectives.end(), 0.);
 }
 
 double excess(const std::vector<Limit>& limits, const Values& values) {
