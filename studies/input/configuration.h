@@ -5,25 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "studies/input/binding.h"
 #include "studies/input/formula.h"
 #include "studies/input/input_error.h"
 #include "studies/input/schema.h"
-#include "studies/input/toml_document.h"
+#include "studies/input/setting.h"
 
 namespace zona::studies {
-
-/// The value of one key, checked against its declaration.
-struct Setting {
-  TomlValue written;               ///< as the user (or the default) has it
-  std::vector<double> numbers;     ///< one per item; quantities in SI
-  std::vector<std::string> texts;  ///< one per item, as written: "mercury", "13.5 um"
-  bool is_auto = false;
-  bool is_default = false;
-  std::string where;                ///< "file:line" or "--set"; empty for a default
-  int line = 0;                     ///< 0 for defaults and overrides
-  std::filesystem::path directory;  ///< where relative paths start; empty: at the study file
-  bool is_inherited = false;        ///< whether it stands in a file that the study is based on
-};
 
 /// Where a table of a list begins, and what it is called.
 struct ItemHeading {
@@ -63,6 +51,27 @@ class Configuration {
   std::vector<double> numbers(const std::string& key) const;
   std::vector<long> integers(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;  ///< as written, e.g. fluid names
+
+  /// @{
+  /// Typed access by the struct T, or a member of it, that the schema binds to keys of a table that
+  /// is not a list. Asking for what the schema does not bind is a programming error.
+  template <class T>
+  T read() const;
+  template <class T, class M>
+  M value(M T::*member) const;
+  template <class T, class M>
+  std::string key(M T::*member) const;
+  template <class T, class M>
+  Problem problem(M T::*member, const std::string& message) const;
+  template <class T, class M>
+  bool is_default(M T::*member) const;
+  /// @}
+  /// All items of the list that is bound to T.
+  template <class T>
+  std::vector<T> read_all() const;
+  /// The tables of that list.
+  template <class T>
+  std::vector<Table> items() const;
 
   /// The table of that name, e.g. "grid" or "body.0".
   Table table(const std::string& name) const;
@@ -113,6 +122,23 @@ class Table {
     return study_->problem(key(leaf), message);
   }
 
+  /// @{
+  /// Typed access, as of Configuration, to this table of a list (or other table) that is bound to
+  /// T.
+  template <class T>
+  T read() const;
+  template <class T, class M>
+  M value(M T::*member) const;
+  /// The last part of a member's key.
+  template <class T, class M>
+  const std::string& leaf(M T::*member) const;
+  template <class T, class M>
+  bool applies(M T::*member) const;
+  template <class T, class M>
+  Problem problem(M T::*member, const std::string& message) const;
+  /// @}
+
+  const Setting& setting(const std::string& leaf) const { return study_->setting(key(leaf)); }
   bool applies(const std::string& leaf) const { return study_->applies(key(leaf)); }
   bool is_auto(const std::string& leaf) const { return study_->is_auto(key(leaf)); }
   double quantity(const std::string& leaf) const { return study_->quantity(key(leaf)); }
@@ -136,6 +162,76 @@ class Table {
   const Configuration* study_;
   std::string name_;
 };
+
+template <class T>
+T Table::read() const {
+  T result{};
+  for (const BoundKey<T>& bound : study_->schema().template binding<T>().keys)
+    if (applies(bound.leaf)) bound.read(*this, result);
+  return result;
+}
+
+template <class T, class M>
+const std::string& Table::leaf(M T::*member) const {
+  return study_->schema().template binding<T>().of(member).leaf;
+}
+
+template <class T, class M>
+M Table::value(M T::*member) const {
+  const BoundKey<T>& bound = study_->schema().template binding<T>().of(member);
+  setting(bound.leaf);  // throws where there is no value
+  T result{};
+  bound.read(*this, result);
+  return result.*member;
+}
+
+template <class T, class M>
+bool Table::applies(M T::*member) const {
+  return applies(leaf(member));
+}
+
+template <class T, class M>
+Problem Table::problem(M T::*member, const std::string& message) const {
+  return problem(leaf(member), message);
+}
+
+template <class T>
+T Configuration::read() const {
+  return table(schema_->binding<T>().section).template read<T>();
+}
+
+template <class T, class M>
+M Configuration::value(M T::*member) const {
+  return table(schema_->binding<T>().section).value(member);
+}
+
+template <class T, class M>
+std::string Configuration::key(M T::*member) const {
+  const Binding<T>& binding = schema_->binding<T>();
+  return binding.section + "." + binding.of(member).leaf;
+}
+
+template <class T, class M>
+Problem Configuration::problem(M T::*member, const std::string& message) const {
+  return problem(key(member), message);
+}
+
+template <class T, class M>
+bool Configuration::is_default(M T::*member) const {
+  return is_default(key(member));
+}
+
+template <class T>
+std::vector<Table> Configuration::items() const {
+  return items(schema_->binding<T>().section);
+}
+
+template <class T>
+std::vector<T> Configuration::read_all() const {
+  std::vector<T> all;
+  for (const Table& table : items<T>()) all.push_back(table.read<T>());
+  return all;
+}
 
 /// A cross-check asked for a value that is itself invalid; the loader skips such a check.
 class MissingSetting : public std::logic_error {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/input/schema.h"
+#include "studies/input/parameter.h"
 
 namespace zona::studies {
 

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
+#include "studies/input/binding.h"
 #include "studies/input/parameter.h"
 
 namespace zona::studies {
@@ -88,6 +93,17 @@ class Schema {
   /// A file that is read; relative paths start at the study file. An empty path means none.
   Parameter& file(const std::string& key, const std::string& value);
 
+  /// Binds keys of a table, or of the items of a list, to members of T (TableKeys).
+  template <class T>
+  Binding<T>& bind(const std::string& section);
+  /// The keys that are bound to T. That there are none is a programming error.
+  template <class T>
+  const Binding<T>& binding() const;
+  template <class T>
+  bool binds() const {
+    return bindings_.count(typeid(T)) > 0;
+  }
+
   void check(CrossCheck cross_check);
   void check_each(const std::string& list, ItemCheck check);
 
@@ -112,8 +128,28 @@ class Schema {
   std::string summary_;
   std::vector<Section> sections_;
   std::vector<Parameter> parameters_;
+  std::map<std::type_index, std::shared_ptr<void>> bindings_;  ///< Binding<T> by T
   std::vector<CrossCheck> cross_checks_;
   std::vector<std::pair<std::string, ItemCheck>> item_checks_;
 };
+
+template <class T>
+Binding<T>& Schema::bind(const std::string& section) {
+  std::shared_ptr<void>& slot = bindings_[typeid(T)];
+  if (slot == nullptr) slot = std::make_shared<Binding<T>>(Binding<T>{section, {}});
+  auto& binding = *static_cast<Binding<T>*>(slot.get());
+  if (binding.section != section)
+    throw std::logic_error("one struct is bound to [" + binding.section + "] and [" + section +
+                           "]");
+  return binding;
+}
+
+template <class T>
+const Binding<T>& Schema::binding() const {
+  const auto found = bindings_.find(typeid(T));
+  if (found == bindings_.end())
+    throw std::logic_error("a " + kind_ + " study has no table for this struct");
+  return *static_cast<const Binding<T>*>(found->second.get());
+}
 
 }  // namespace zona::studies

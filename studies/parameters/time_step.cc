@@ -6,20 +6,34 @@
 
 namespace zona::studies {
 
+void declare_step(Schema& schema, const std::string& limit, const std::string& note) {
+  TableKeys<StepChoice> keys(schema, "time");
+  keys.quantity("step", &StepChoice::step, "s", "auto")
+      .in(limit)
+      .or_auto()
+      .called("Delta t")
+      .doc("Time step; \"auto\" is courant times the critical step" + note + ".");
+  keys.number("courant", &StepChoice::courant, 0.8)
+      .in("(0, 1]")
+      .doc(
+          "Fraction of the critical step, cell / wave speed, that an \"auto\" step takes at most.");
+}
+
 TimeStep time_step(const Configuration& study, const mpm::Model& model, double end) {
   const auto refuse = [&](const std::string& message) {
-    return InputError(study.problem("time.step", message));
+    return InputError(study.problem(&StepChoice::step, message));
   };
   const auto critical = mpm::critical_step(model.grid, model.bodies);
-  if (study.is_auto("time.step")) {
+  const auto choice = study.read<StepChoice>();
+  if (!choice.step) {
     if (!std::isfinite(critical.seconds)) {
       throw refuse(
           "nothing limits the step, because no body has waves; give one, e.g. step = \"1 us\"");
     }
-    const double longest = study.number("time.courant") * critical.seconds;
+    const double longest = choice.courant * critical.seconds;
     return {end / std::ceil(end / longest), critical.seconds};
   }
-  const double step = study.quantity("time.step");
+  const double step = *choice.step;
   if (step > critical.seconds) {
     throw refuse(
         fmt::format("{:.4g} ns is above the critical step of {:.4g} ns ({} of '{}'); choose at "
@@ -31,13 +45,6 @@ TimeStep time_step(const Configuration& study, const mpm::Model& model, double e
 
 long step_count(double end, double step) {
   return static_cast<long>(std::floor(end / step + 1e-6));
-}
-
-mpm::FaceCondition face_condition(const std::string& name) {
-  if (name == "free") return mpm::FaceCondition::free;
-  if (name == "fixed") return mpm::FaceCondition::fixed;
-  if (name == "roller") return mpm::FaceCondition::roller;
-  return mpm::FaceCondition::absorbing;
 }
 
 }  // namespace zona::studies

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mpm/membranes/membrane.h"
+#include "studies/input/table_keys.h"
+
+namespace zona::studies {
+
+/// Keys of material laws that the tables of several kinds have: [zona], [[body]], [material]. Each
+/// call declares the keys of a struct in the section that is open; all of them apply only under
+/// `conditions`.
+
+/// Keys c0, c1 and elastic_limit of mpm::Elastodamage.
+void declare_elastodamage(Schema& schema, const std::string& section,
+                          const std::vector<Condition>& conditions = {});
+
+/// Von Mises plasticity (5.12)-(5.15).
+struct Plasticity {
+  double yield_strength;                ///< sigma_y [Pa]
+  std::optional<double> peak_strength;  ///< sigma_p [Pa]; empty: the yield strength
+  double hardening_modulus;             ///< E_h [Pa]
+  double softening_modulus;             ///< E_s [Pa]
+
+  /// Defaults in the user's notation.
+  struct Defaults {
+    std::string yield_strength;
+    std::string peak_strength;  ///< or "auto": no hardening
+    std::string hardening_modulus;
+    std::string softening_modulus;
+  };
+  static Defaults zona();     ///< of the zona pellucida (5.4)
+  static Defaults perfect();  ///< of a solid that flows at a constant strength
+
+  mpm::VonMises law() const;
+};
+void declare_plasticity(Schema& schema, const std::string& section,
+                        const Plasticity::Defaults& defaults,
+                        const std::vector<Condition>& conditions = {});
+/// Complains unless the strengths and moduli of a table go together. Keys are named in full.
+void check_plasticity(const Table& table, const Complain& complain);
+
+/// Decohesion (5.32)-(5.42).
+struct Separation {
+  double reference_opening;                  ///< u_0 [m]
+  double decohesion_exponent;                ///< q [-]
+  double mode_ratio;                         ///< c_m [-]
+  std::optional<double> reference_traction;  ///< tau_0 [Pa]; empty: where the surface appears
+
+  /// `cell` are the edges of the grid's cells [m].
+  mpm::Decohesion law(const Eigen::Vector3d& cell) const;
+};
+void declare_separation(Schema& schema, const std::string& section,
+                        const std::vector<Condition>& conditions = {});
+
+/// How the stress of an elastic membrane follows its strain (5.42).
+enum class StressUpdate { total, increments };
+
+/// Choices of a membrane's kinematics and laws; each is declared by a call of its own.
+struct MembraneOptions {
+  mpm::Localization bifurcation = mpm::Localization::plane_stress;
+  mpm::OneWay one_way = mpm::OneWay::stress;
+  StressUpdate stress_update = StressUpdate::total;
+
+  mpm::MembraneLaw elastic_law() const;
+};
+void declare_bifurcation(Schema& schema, const std::string& section,
+                         const std::vector<Condition>& conditions = {});
+void declare_one_way(Schema& schema, const std::string& section,
+                     const std::vector<Condition>& conditions = {});
+void declare_stress_update(Schema& schema, const std::string& section,
+                           const std::vector<Condition>& conditions = {});
+
+}  // namespace zona::studies
