@@ -2,7 +2,10 @@
 
 #include <cmath>
 
-#include "studies/kinds/piercing/model.h"
+#include "studies/kinds/piercing/case.h"
+#include "studies/kinds/piercing/schema.h"
+#include "studies/parameters/fill_table.h"
+#include "studies/program/bundled_studies.h"
 
 namespace zona::studies::bench {
 
@@ -51,12 +54,19 @@ mpm::Model solid() {
   return model;
 }
 
+/// The piercing of a bundled study, with changes as of `--set`.
+PiercingSetup bundled(const std::string& name, const std::vector<std::string>& changes = {}) {
+  const Configuration study =
+      load_configuration(study_directory() / name, changes, {&piercing_schema()});
+  return make_piercing_case(study, fills_of(study).front()).setup;
+}
+
 /// The zona alone, swelling.
 mpm::Model membrane() {
   mpm::Model model = box_model(32);
   const Vector3d center = 0.5 * model.grid.upper_corner();
   const auto sphere = mpm::in_walking_order(mpm::icosphere(center, 50e-6, 6), model.grid);
-  const PiercingSetup::Zona zona;
+  const PiercingSetup::Zona zona = bundled("piercing_lateral.toml").zona;
   const double mass =
       4 * M_PI * 2.5e-9 * zona.membrane.thickness * zona.membrane.density / sphere.places.size();
   auto points = mpm::make_points(sphere.places, std::vector<double>(sphere.places.size(), mass));
@@ -69,34 +79,11 @@ mpm::Model membrane() {
   return model;
 }
 
-/// The lateral piercing of 5.4 with the motion of the source.
-mpm::Model driven(PiercingSetup setup) {
-  setup.pipette.motion = [](double t) {
-    const double amplitude = 13.5e-6, omega = 2 * M_PI / 100e-6;
-    return mpm::RigidState{{0, amplitude * std::sin(omega * t), 0},
-                           {0, amplitude * omega * std::cos(omega * t), 0}};
-  };
-  return build_piercing(setup);
-}
-
-/// Domain and plate hold whole cells.
-mpm::Model piercing(double cell_size, double domain, double plate) {
-  PiercingSetup setup;
-  setup.cell = cell_size;
-  setup.domain = domain;
-  setup.plate.side = plate;
-  return driven(setup);
-}
-
-/// As piercing_lateral_quick.toml and mercury_vs_water.toml.
-mpm::Model small_piercing() {
-  PiercingSetup setup;
-  setup.cell = 9e-6;
-  setup.domain = 153e-6;
-  setup.zona.level = 5;
-  setup.cytoplasm.points_per_cell = 8;
-  setup.pipette.points = {2, 30, 15};
-  return driven(setup);
+/// The lateral piercing; domain and plate hold whole cells.
+mpm::Model piercing(const std::string& cell, const std::string& domain, const std::string& plate) {
+  return build_piercing(bundled("piercing_lateral.toml",
+                                {"grid.cell=\"" + cell + "\"", "grid.domain=\"" + domain + "\"",
+                                 "plate.side=\"" + plate + "\""}));
 }
 
 }  // namespace
@@ -108,17 +95,17 @@ const std::vector<Scene>& scenes() {
       {"solid", "an elastic solid, 27 points in each of 24^3 cells", true, solid},
       {"membrane", "the zona alone, 40962 points in cells of 4 um", true, membrane},
       {"piercing_9um", "a fill of the bundled comparison, cells of 9 um", true,
-       [] { return small_piercing(); }},
+       [] { return build_piercing(bundled("piercing_lateral_quick.toml")); }},
       {"piercing_6um", "the lateral piercing, cells of 6 um", true,
-       [] { return piercing(6e-6, 150e-6, 72e-6); }},
+       [] { return piercing("6 um", "150 um", "72 um"); }},
       {"piercing_5um", "the lateral piercing, cells of 5 um", false,
-       [] { return piercing(5e-6, 140e-6, 70e-6); }},
+       [] { return piercing("5 um", "140 um", "70 um"); }},
       {"piercing_4um", "the lateral piercing, cells of 4 um", true,
-       [] { return piercing(4e-6, 128e-6, 72e-6); }},
+       [] { return piercing("4 um", "128 um", "72 um"); }},
       {"piercing_3um", "the lateral piercing, cells of 3 um", false,
-       [] { return piercing(3e-6, 126e-6, 72e-6); }},
+       [] { return piercing("3 um", "126 um", "72 um"); }},
       {"piercing_2.5um", "the lateral piercing, cells of 2.5 um", false,
-       [] { return piercing(2.5e-6, 125e-6, 70e-6); }},
+       [] { return piercing("2.5 um", "125 um", "70 um"); }},
   };
   return all;
 }

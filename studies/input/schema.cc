@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "studies/input/configuration.h"
 #include "studies/input/keys.h"
 #include "studies/input/toml_document.h"
 
@@ -155,11 +156,29 @@ Parameter& Schema::file(const std::string& key, const std::string& value) {
 }
 
 void Schema::check(CrossCheck cross_check) {
-  cross_checks_.push_back(std::move(cross_check));
+  if (!checked_) return cross_checks_.push_back(std::move(cross_check));
+  cross_checks_.push_back(
+      [=, applies = checked_](const Configuration& study, const Complain& complain) {
+        if (applies(study)) cross_check(study, complain);
+      });
 }
 
 void Schema::check_each(const std::string& list, ItemCheck check) {
-  item_checks_.emplace_back(list, std::move(check));
+  if (!checked_) return static_cast<void>(item_checks_.emplace_back(list, std::move(check)));
+  item_checks_.emplace_back(list,
+                            [=, applies = checked_](const Table& item, const Complain& complain) {
+                              if (applies(item.study())) check(item, complain);
+                            });
+}
+
+void Schema::check_table(const std::string& name, ItemCheck check) {
+  if (find_section(name)->is_list) return check_each(name, std::move(check));
+  this->check([=](const Configuration& study, const Complain& complain) {
+    const Table table = study.table(name);
+    check(table, [&](const std::string& leaf, const std::string& message) {
+      complain(table.key(leaf), message);
+    });
+  });
 }
 
 const Parameter* Schema::find(const std::string& key) const {

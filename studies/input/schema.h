@@ -104,8 +104,14 @@ class Schema {
     return bindings_.count(typeid(T)) > 0;
   }
 
+  /// Checks declared from now on run only for studies for which this holds; for all if it is empty.
+  void check_only_where(std::function<bool(const Configuration&)> applies) {
+    checked_ = std::move(applies);
+  }
   void check(CrossCheck cross_check);
   void check_each(const std::string& list, ItemCheck check);
+  /// The same for one table, or each item of a list; it must have been declared.
+  void check_table(const std::string& name, ItemCheck check);
 
   const std::string& kind() const { return kind_; }
   const std::string& summary() const { return summary_; }
@@ -129,6 +135,7 @@ class Schema {
   std::vector<Section> sections_;
   std::vector<Parameter> parameters_;
   std::map<std::type_index, std::shared_ptr<void>> bindings_;  ///< Binding<T> by T
+  std::function<bool(const Configuration&)> checked_;          ///< condition of the next checks
   std::vector<CrossCheck> cross_checks_;
   std::vector<std::pair<std::string, ItemCheck>> item_checks_;
 };

@@ -13,6 +13,23 @@ const Words<mpm::OneWay> kOneWays{
 const Words<StressUpdate> kStressUpdates{{"total", StressUpdate::total},
                                          {"increments", StressUpdate::increments}};
 
+void check_plasticity(const Table& table, const Complain& complain) {
+  const std::string peak_key = table.leaf(&Plasticity::peak_strength);
+  const auto peak = table.value(&Plasticity::peak_strength);
+  if (!peak) return;
+  const double yield = table.value(&Plasticity::yield_strength);
+  if (*peak < yield) {
+    complain(peak_key, fmt::format("{:g} Pa is below the yield strength of {:g} Pa; needs at least "
+                                   "{}, or \"auto\"",
+                                   *peak, yield, table.leaf(&Plasticity::yield_strength)));
+  } else if (*peak > yield && table.value(&Plasticity::hardening_modulus) == 0) {
+    complain(table.leaf(&Plasticity::hardening_modulus),
+             fmt::format("is zero, so that the strength never rises from {:g} Pa to its peak of "
+                         "{:g} Pa; needs a value above 0 Pa, or {} = \"auto\"",
+                         yield, *peak, peak_key));
+  }
+}
+
 template <class T>
 TableKeys<T> keys_in(Schema& schema, const std::string& section,
                      const std::vector<Condition>& conditions) {
@@ -99,23 +116,7 @@ void declare_plasticity(Schema& schema, const std::string& section,
       .doc(
           "Fall of the strength behind its peak, down to zero; at sqrt(6) times the shear modulus "
           "and above nothing is left at once.");
-}
-
-void check_plasticity(const Table& table, const Complain& complain) {
-  const std::string peak_key = table.leaf(&Plasticity::peak_strength);
-  const auto peak = table.value(&Plasticity::peak_strength);
-  if (!peak) return;
-  const double yield = table.value(&Plasticity::yield_strength);
-  if (*peak < yield) {
-    complain(peak_key, fmt::format("{:g} Pa is below the yield strength of {:g} Pa; needs at least "
-                                   "{}, or \"auto\"",
-                                   *peak, yield, table.leaf(&Plasticity::yield_strength)));
-  } else if (*peak > yield && table.value(&Plasticity::hardening_modulus) == 0) {
-    complain(table.leaf(&Plasticity::hardening_modulus),
-             fmt::format("is zero, so that the strength never rises from {:g} Pa to its peak of "
-                         "{:g} Pa; needs a value above 0 Pa, or {} = \"auto\"",
-                         yield, *peak, peak_key));
-  }
+  schema.check_table(section, check_plasticity);
 }
 
 void declare_separation(Schema& schema, const std::string& section,

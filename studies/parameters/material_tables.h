@@ -36,11 +36,10 @@ struct Plasticity {
 
   mpm::VonMises law() const;
 };
+/// Complains unless strengths and moduli go together.
 void declare_plasticity(Schema& schema, const std::string& section,
                         const Plasticity::Defaults& defaults,
                         const std::vector<Condition>& conditions = {});
-/// Complains unless the strengths and moduli of a table go together. Keys are named in full.
-void check_plasticity(const Table& table, const Complain& complain);
 
 /// Decohesion (5.32)-(5.42).
 struct Separation {

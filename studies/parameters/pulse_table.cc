@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "coupling/tip_trace.h"
-#include "studies/input/blame.h"
+#include "studies/input/with_key.h"
 
 namespace zona::studies {
 
@@ -40,7 +40,7 @@ beam::SupportMotion single_pulse(const Configuration& study, const Pulse& pulse,
     case PulseShape::half_sine:
       return beam::half_sine_pulse(peak, duration);
     case PulseShape::trace:
-      return blaming(study, study.key(&Pulse::trace), [&] {
+      return with_key(study, study.key(&Pulse::trace), [&] {
         const auto trace = coupling::read_tip_trace_csv(pulse.trace.string());
         const beam::SupportMotion motion = beam::SampledMotion{trace.time, trace.displacement};
         beam::check(motion);
@@ -133,8 +133,9 @@ beam::SupportMotion support_motion(const Configuration& study, double duration) 
   const Pulse pulse = study.read<Pulse>();
   const beam::SupportMotion single = single_pulse(study, pulse, duration);
   if (pulse.count == 1) return single;
-  return blaming(study, study.key(&Pulse::repetition_rate),
-                 [&] { return beam::pulse_train(single, pulse.count, 1 / pulse.repetition_rate); });
+  return with_key(study, study.key(&Pulse::repetition_rate), [&] {
+    return beam::pulse_train(single, pulse.count, 1 / pulse.repetition_rate);
+  });
 }
 
 beam::SupportMotion support_motion(const Configuration& study) {

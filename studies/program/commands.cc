@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "studies/parameters/run_table.h"
 #include "studies/program/bundled_studies.h"
 #include "studies/run/resolved_study.h"
 
@@ -39,7 +40,7 @@ int check_study(const std::filesystem::path& file, const std::vector<std::string
 }
 
 int threads_for(const Configuration& study, long wanted) {
-  if (wanted == 0 && study.has("run.threads")) wanted = study.integer("run.threads");
+  if (wanted == 0 && study.schema().binds<Run>()) wanted = study.value(&Run::threads);
   return wanted > 0 ? static_cast<int>(wanted) : omp_get_num_procs();
 }
 

@@ -10,6 +10,7 @@
 #include "mpm/step/instruction_set.h"
 #include "studies/input/input_error.h"
 #include "studies/kinds/study_kinds.h"
+#include "studies/parameters/run_table.h"
 #include "studies/program/commands.h"
 #include "studies/program/status.h"
 #include "studies/run/interrupt.h"
@@ -94,8 +95,8 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   omp_set_num_threads(outcome.threads);
   const Job job = kind.prepare(study);
   if (!options.resume) directory.write("study.toml", resolved_study(study));
-  if (study.has("run.log_level")) {
-    directory.log().set_level(spdlog::level::from_str(study.choice("run.log_level")));
+  if (study.schema().binds<Run>()) {
+    directory.log().set_level(study.value(&Run::log_level));
   }
   directory.log().info("zona {} ({}, {}), {} study of {}, {} threads", zona_version(),
                        compiler_version(), mpm::instruction_set(), study.kind(),

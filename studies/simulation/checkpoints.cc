@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mpm/step/instruction_set.h"
+#include "studies/parameters/run_table.h"
 #include "studies/run/resolved_study.h"
 #include "studies/run/version.h"
 
@@ -57,8 +58,9 @@ void check_labels(const fs::path& file, const mpm::CheckpointLabels& labels,
 
 CheckpointPlan checkpoint_plan(const Configuration& study, bool resume) {
   CheckpointPlan plan;
-  plan.interval = study.quantity("run.checkpoint_interval");
-  plan.steps = study.integer("run.checkpoint_steps");
+  const auto intervals = study.read<CheckpointIntervals>();
+  plan.interval = intervals.checkpoint_interval;
+  plan.steps = intervals.checkpoint_steps;
   plan.study = study_fingerprint(study);
   plan.resume = resume;
   return plan;

@@ -1,13 +1,13 @@
 #include "studies/simulation/output_plan.h"
 
+#include "studies/parameters/output_table.h"
+
 namespace zona::studies {
 
 OutputPlan output_plan(const Configuration& study, double end) {
-  const auto interval = [&](const char* key, double automatic) {
-    return study.is_auto(key) ? automatic : study.quantity(key);
-  };
-  return {interval("output.history_interval", end / 500),
-          interval("output.fields_interval", end / 20), study.boolean("output.fields")};
+  const auto output = study.read<Output>();
+  return {output.history_interval.value_or(end / 500), output.fields_interval.value_or(end / 20),
+          output.fields};
 }
 
 }  // namespace zona::studies

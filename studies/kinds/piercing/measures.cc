@@ -1,6 +1,6 @@
 #include "studies/kinds/piercing/measures.h"
 
-#include "studies/kinds/piercing/values.h"
+#include "studies/kinds/piercing/scheme_tables.h"
 #include "studies/measures/measure_parameters.h"
 
 namespace zona::studies {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "studies/kinds/piercing/run.h"
-#include "studies/kinds/piercing/values.h"
-#include "studies/parameters/beam_parameters.h"
+#include "studies/kinds/piercing/scheme_tables.h"
+#include "studies/parameters/fill_table.h"
 #include "studies/run/run_directory.h"
 #include "studies/run/session.h"
 #include "studies/simulation/cost_forecast.h"

@@ -15,7 +15,7 @@
 #include "mpm/points/errors.h"
 #include "studies/kinds/piercing/run.h"
 #include "studies/kinds/piercing/values.h"
-#include "studies/parameters/beam_parameters.h"
+#include "studies/parameters/fill_table.h"
 #include "studies/run/file_lock.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/parallel.h"

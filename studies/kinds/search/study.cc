@@ -8,7 +8,7 @@
 #include "studies/kinds/piercing/run.h"
 #include "studies/kinds/search/run.h"
 #include "studies/kinds/search/tip_stage.h"
-#include "studies/parameters/beam_parameters.h"
+#include "studies/parameters/fill_table.h"
 #include "studies/run/run_directory.h"
 #include "studies/simulation/cost_forecast.h"
 

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "beam/frequency/transfer_function.h"
-#include "studies/parameters/beam_parameters.h"
-#include "studies/parameters/shared_parameters.h"
+#include "studies/parameters/beam_integration_table.h"
+#include "studies/parameters/fill_table.h"
+#include "studies/parameters/pipette_model.h"
+#include "studies/parameters/pulse_table.h"
 
 namespace zona::studies::search {
 
@@ -61,24 +63,25 @@ TipMeter::TipMeter(const Plan& plan, Overrides common) : plan_(plan), common_(st
 
 TipHistories TipMeter::histories(const Configuration& study, const std::string& pipette) {
   const beam::Fluid fluid = fills_of(study).front();
-  if (study.choice("beam.integrator") != "transform") return beam_tip_histories(study, fluid);
+  const auto integration = study.read<BeamIntegration>();
+  if (integration.integrator != IntegratorName::transform) return beam_tip_histories(study, fluid);
   if (pipette != last_pipette_) {
     lateral_transfer_.clear();
     axial_transfer_.clear();
     last_pipette_ = pipette;
   }
-  const beam::Sampling sampling = sampling_from(study, "beam");
-  const beam::SupportMotion pulse = support_motion(study, study.quantity("pulse.duration"));
+  const beam::Sampling sampling = integration.sampling();
+  const beam::SupportMotion pulse = support_motion(study);
   const auto history = [&](std::vector<std::complex<double>>& transfer, auto&& make_system,
                            double part) -> std::optional<beam::TipHistory> {
     if (part == 0) return std::nullopt;
     if (transfer.empty())
-      transfer = beam::TransferFunction(make_system(pipette_from(study, "beam", fluid)))
+      transfer = beam::TransferFunction(make_system(pipette_from(study, fluid)))
                      .at(beam::transform_points(sampling));
     return beam::history_by_transform(transfer, part == 1 ? pulse : beam::scaled(pulse, part),
                                       sampling);
   };
-  const PulseDirection part = pulse_direction(study);
+  const PulseDirection part = study.read<Pulse>().direction();
   return {history(lateral_transfer_, beam::cantilever, part.across),
           history(axial_transfer_, beam::axial_rod, part.along)};
 }
@@ -108,8 +111,7 @@ TipMeter::Response TipMeter::response(const Overrides& overrides) {
                      {"tip_travel", travel},
                      {"peak_velocity", extremes.speed},
                      {"residual_motion", extremes.residual},
-                     {"support_peak", beam::peak_displacement(support_motion(
-                                          study, study.quantity("pulse.duration")))}};
+                     {"support_peak", beam::peak_displacement(support_motion(study))}};
   return response;
 }
 

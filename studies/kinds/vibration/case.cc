@@ -7,9 +7,14 @@
 #include "beam/frequency/transfer_function.h"
 #include "beam/system/natural_modes.h"
 #include "beam/time/modal_stepper.h"
+#include "studies/kinds/vibration/pulses_table.h"
 #include "studies/kinds/vibration/sensitivity.h"
-#include "studies/parameters/beam_parameters.h"
-#include "studies/parameters/shared_parameters.h"
+#include "studies/parameters/bath_table.h"
+#include "studies/parameters/beam_integration_table.h"
+#include "studies/parameters/beam_table.h"
+#include "studies/parameters/fill_table.h"
+#include "studies/parameters/pipette_model.h"
+#include "studies/parameters/pulse_table.h"
 
 namespace zona::studies {
 
@@ -78,10 +83,10 @@ void add_sensitivities(VibrationResult& result, const PulseDirection& part,
 }  // namespace
 
 std::vector<VibrationCase> vibration_cases(const Configuration& study) {
-  const std::string& shape = study.choice("pulse.shape");
-  const bool is_sine = shape == "sine";
-  const char* key = is_sine ? "pulse.angular_frequencies" : "pulse.durations";
-  const auto pulses = shape == "trace" ? std::vector<double>{0} : study.quantities(key);
+  const PulseShape shape = study.value(&Pulse::shape);
+  const bool is_sine = shape == PulseShape::sine;
+  const auto listed = study.value(is_sine ? &Pulses::angular_frequencies : &Pulses::durations);
+  const auto pulses = shape == PulseShape::trace ? std::vector<double>{0} : listed;
   std::vector<VibrationCase> cases;
   for (const beam::Fluid& fluid : fills_of(study))
     for (const double pulse : pulses)
@@ -91,22 +96,23 @@ std::vector<VibrationCase> vibration_cases(const Configuration& study) {
 
 beam::SupportMotion support_motion_of(const VibrationCase& setup, const Configuration& study) {
   if (setup.angular_frequency > 0)
-    return beam::SineMotion{support_peak(study), setup.angular_frequency};
+    return beam::SineMotion{study.read<Pulse>().support_peak(), setup.angular_frequency};
   return support_motion(study, setup.pulse_duration);
 }
 
 FilledPipette fill_pipette(const Configuration& study, const beam::Fluid& fluid) {
-  const beam::Pipette pipette = pipette_from(study, "pipette", fluid);
-  const bool is_pinned = study.choice("pipette.supports") == "pinned";
+  const beam::Pipette pipette = pipette_from(study, fluid);
+  const bool is_pinned = study.value(&Support::supports) == Supports::pinned;
+  const auto integration = study.read<BeamIntegration>();
   FilledPipette filled;
   filled.system = is_pinned ? beam::simply_supported(pipette) : beam::cantilever(pipette);
-  filled.integrator = integrator_from(study, "time", filled.system);
+  filled.integrator = integration.integrator_of(filled.system);
   add_modes(filled);
   if (std::holds_alternative<beam::Transform>(filled.integrator)) {
-    filled.transfer = beam::TransferFunction(filled.system)
-                          .at(beam::transform_points(sampling_from(study, "time")));
+    filled.transfer =
+        beam::TransferFunction(filled.system).at(beam::transform_points(integration.sampling()));
   }
-  if (pulse_direction(study).along != 0) filled.rod = beam::axial_rod(pipette);
+  if (study.read<Pulse>().direction().along != 0) filled.rod = beam::axial_rod(pipette);
   return filled;
 }
 
@@ -117,7 +123,8 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   result.natural_frequencies = pipette.natural_frequencies;
   result.damping_ratios = pipette.damping_ratios;
   const beam::SupportMotion support = support_motion_of(setup, study);
-  const PulseDirection part = pulse_direction(study);
+  const auto pulse = study.read<Pulse>();
+  const PulseDirection part = pulse.direction();
   const beam::SupportMotion motion = part.along == 0 ? support : beam::scaled(support, part.across);
   const double peak = beam::peak_displacement(support);
   result.history = pipette.transfer.empty()
@@ -125,17 +132,18 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
                        : beam::history_by_transform(pipette.transfer, motion, sampling);
   add_tip_motion(result, peak);
   // Without a quadratic drag the tip's motion is proportional to the support's.
-  if (study.is_auto("pulse.peak") && study.number("bath.drag_coefficient") == 0)
-    result.gain_uncertainty = study.number("pulse.gain_uncertainty");
+  if (!pulse.peak && study.value(&Bath::drag_coefficient) == 0)
+    result.gain_uncertainty = pulse.gain_uncertainty;
   result.ring_down = ring_down(result.history, end_of_pulse(motion));
   result.residual_amplitude = residual_amplitude(result.history);
   result.warnings = bath_warnings(study, "pipette", result.history);
   if (pipette.rod)
-    result.axial = axial_result(integrate(*pipette.rod, beam::scaled(support, part.along), sampling,
-                                          integrator_from(study, "time", *pipette.rod)),
-                                peak);
-  if (study.boolean("output.sensitivities")) add_sensitivities(result, part, study);
-  if (!study.boolean("output.history")) {
+    result.axial =
+        axial_result(integrate(*pipette.rod, beam::scaled(support, part.along), sampling,
+                               study.read<BeamIntegration>().integrator_of(*pipette.rod)),
+                     peak);
+  if (study.value(&VibrationOutput::sensitivities)) add_sensitivities(result, part, study);
+  if (!study.value(&VibrationOutput::history)) {
     result.history = {};
     if (result.axial) result.axial->history = {};
   }

@@ -1,0 +1,103 @@
+#include "studies/kinds/piercing/zona_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "studies/parameters/material_tables.h"
+
+namespace zona::studies {
+
+namespace {
+
+const Words<ZonaLaw> kLaws{{"elastodamage", ZonaLaw::elastodamage},
+                           {"decohesion", ZonaLaw::decohesion},
+                           {"elastic", ZonaLaw::elastic}};
+const Words<ZonaKinematics> kKinematics{{"source", ZonaKinematics::source},
+                                        {"objective", ZonaKinematics::objective}};
+
+void check_thickness(const Configuration& study, const Complain& complain) {
+  const double radius = study.value(&Zona::diameter) / 2;
+  const double thickness = study.value(&Zona::thickness);
+  if (thickness < radius) return;
+  complain(study.key(&Zona::thickness),
+           fmt::format("{:g} um is not thinner than the radius of {:g} um; reduce it or enlarge {}",
+                       thickness * 1e6, radius * 1e6, study.key(&Zona::diameter)));
+}
+
+void check_law(const Configuration& study, const Complain& complain) {
+  const ZonaLaw law = study.value(&Zona::law);
+  const auto update = study.value(&MembraneOptions::stress_update);
+  if (update == StressUpdate::total || law == ZonaLaw::elastic) return;
+  complain(study.key(&MembraneOptions::stress_update),
+           fmt::format("\"increments\" are for {} = \"elastic\", not for \"{}\"; needs \"total\"",
+                       study.key(&Zona::law), word_for(kLaws, law)));
+}
+
+}  // namespace
+
+void declare_zona(Schema& schema) {
+  TableKeys<Zona> keys(schema, "zona", "The zona pellucida: a spherical membrane of triangles.");
+  keys.quantity("diameter", &Zona::diameter, "m", "100 um")
+      .in("(0, 0.01]")
+      .doc("Diameter of the oocyte (5.4).");
+  keys.quantity("thickness", &Zona::thickness, "m", "8 um")
+      .in("(0, 1e-3]")
+      .doc("Thickness of the membrane (5.4).");
+  keys.integer("level", &Zona::level, 6)
+      .in("[1, 9]")
+      .doc(
+          "How often the triangles of an icosahedron are divided in four; 6 gives the 40962 points "
+          "and 81920 triangles of 5.4.");
+  keys.quantity("youngs_modulus", &Zona::youngs_modulus, "Pa", "17.9 kPa")
+      .in("(0, 1e12]")
+      .called("E")
+      .doc("Young's modulus (Table 5.2).");
+  keys.number("poisson_ratio", &Zona::poisson_ratio, 0.49)
+      .in("(-1, 0.5)")
+      .called("nu")
+      .doc("Poisson's ratio (Table 5.2).");
+  keys.quantity("density", &Zona::density, "kg/m^3", "1100 kg/m^3")
+      .in("(0, 30000]")
+      .called("rho")
+      .doc("Density (5.4).");
+  keys.choice("law", &Zona::law, kLaws)
+      .doc(
+          "Elastodamage (5.7)-(5.11); von Mises plasticity (5.12)-(5.15) and, where it localises, "
+          "decohesion (5.32)-(5.42); or linear elastic.");
+  declare_elastodamage(schema, "zona");
+  declare_plasticity(schema, "zona", Plasticity::zona());
+  declare_separation(schema, "zona");
+  declare_bifurcation(schema, "zona");
+  keys.choice("kinematics", &Zona::kinematics, kKinematics)
+      .doc(
+          "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
+          "source; or objective, from the deformation gradient of the triangles.");
+  declare_one_way(schema, "zona");
+  declare_stress_update(schema, "zona");
+  schema.check(check_thickness);
+  schema.check(check_law);
+}
+
+double Zona::edge_length() const {
+  constexpr double edge_of_icosahedron = 1.1071487177940904;  // atan(2), on the unit sphere
+  return std::ldexp(edge_of_icosahedron * diameter / 2, -level);
+}
+
+mpm::MembraneLaw zona_law(const Configuration& study, double cell) {
+  const auto options = study.read<MembraneOptions>();
+  switch (study.value(&Zona::law)) {
+    case ZonaLaw::elastodamage:
+      return study.read<mpm::Elastodamage>();
+    case ZonaLaw::elastic:
+      return options.elastic_law();
+    case ZonaLaw::decohesion:
+      break;
+  }
+  mpm::VonMises plastic = study.read<Plasticity>().law();
+  plastic.decohesion = study.read<Separation>().law(Eigen::Vector3d::Constant(cell));
+  plastic.decohesion->localization = options.bifurcation;
+  return plastic;
+}
+
+}  // namespace zona::studies

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "mpm/membranes/membrane.h"
+#include "studies/input/table_keys.h"
+
+namespace zona::studies {
+
+enum class ZonaLaw { elastodamage, decohesion, elastic };
+
+/// How the zona's strain follows its motion.
+enum class ZonaKinematics { source, objective };
+
+/// The zona pellucida, a spherical membrane.
+struct Zona {
+  double diameter;        ///< of the oocyte [m]
+  double thickness;       ///< [m]
+  int level;              ///< how often an icosahedron's triangles are divided in four
+  double youngs_modulus;  ///< [Pa]
+  double poisson_ratio;   ///< [-]
+  double density;         ///< [kg/m^3]
+  ZonaLaw law;
+  ZonaKinematics kinematics;
+
+  /// Mean distance of neighbouring points [m]: 1.107 R / 2^level, the icosahedron's edge 1.107 R
+  /// (along the sphere) divided `level` times.
+  double edge_length() const;
+};
+
+/// The section [zona], with the keys of its laws (material_tables.h). Complains of a zona that is
+/// too thick and of options that do not go together.
+void declare_zona(Schema& schema);
+
+/// The law of the zona with its parameters, in a grid of cubic cells of this edge [m].
+mpm::MembraneLaw zona_law(const Configuration& study, double cell);
+
+}  // namespace zona::studies
