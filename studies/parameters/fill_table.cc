@@ -41,8 +41,9 @@ void check_place(const Configuration& study, const Complain& complain) {
 }
 
 void check_column(const Table& column, const Complain& complain) {
-  check_span(column.study(), complain, column.value(&Column::start), column.value(&Column::end),
-             column.leaf(&Column::start), column.leaf(&Column::end));
+  check_span(column.study(), complain, column.value(&FluidColumn::start),
+             column.value(&FluidColumn::end), column.leaf(&FluidColumn::start),
+             column.leaf(&FluidColumn::end));
 }
 
 void check_fluids(const Configuration& study, const Complain& complain) {
@@ -98,16 +99,16 @@ void declare_columns(Schema& schema) {
               "A part of the bore that another fluid than that of [fill] fills; later ones "
               "overwrite earlier ones.",
               0, false);
-  TableKeys<Column> keys(schema, "column");
-  keys.quantity("fluid", &Column::fluid, "kg/m^3", "water")
+  TableKeys<FluidColumn> keys(schema, "column");
+  keys.quantity("fluid", &FluidColumn::fluid, "kg/m^3", "water")
       .in("[0, 30000]")
       .or_named(fill_fluids())
       .doc("The fluid, by name or by density.");
   declare_viscosity(keys);
-  keys.quantity("start", &Column::start, "m", "0 mm")
+  keys.quantity("start", &FluidColumn::start, "m", "0 mm")
       .in("[0, 1]")
       .doc("Where it begins, from the tip.");
-  keys.quantity("end", &Column::end, "m", "auto")
+  keys.quantity("end", &FluidColumn::end, "m", "auto")
       .in("(0, 1]")
       .or_auto()
       .doc("Where it ends, from the tip; \"auto\" at the support.");

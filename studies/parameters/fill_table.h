@@ -30,7 +30,7 @@ struct FillPlace {
 };
 
 /// A part of the bore that another fluid fills.
-struct Column {
+struct FluidColumn {
   NamedQuantity fluid;              ///< density [kg/m^3]
   std::optional<double> viscosity;  ///< as of FillPlace
   double start;

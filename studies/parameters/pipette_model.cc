@@ -52,7 +52,7 @@ void fill(const Configuration& study, const beam::Fluid& fluid, beam::Pipette& p
   } else {
     pipette.columns.push_back({place.start, end, fluid.density, fluid.viscosity});
   }
-  for (const Column& column : study.read_all<Column>())
+  for (const FluidColumn& column : study.read_all<FluidColumn>())
     pipette.columns.push_back({column.start, column.end.value_or(pipette.length),
                                column.fluid.value,
                                viscosity_of(column.viscosity, column.fluid.text)});

@@ -10,8 +10,8 @@
 
 namespace zona::studies {
 
-/// The pipette of a study, filled with this fluid where [fill] says: GlassTube, Beam, Column and
-/// Bath. Throws InputError for a pipette that is no beam, or a profile that cannot be read.
+/// The pipette of a study, filled with this fluid where [fill] says: GlassTube, Beam, FluidColumn
+/// and Bath. Throws InputError for a pipette that is no beam, or a profile that cannot be read.
 beam::Pipette pipette_from(const Configuration& study, const beam::Fluid& fill);
 
 /// Warnings, with numbers, where the bath's load, that of a long cylinder with small motions far

@@ -1,21 +1,9 @@
 #pragma once
 
-#include <optional>
-
 #include "mpm/step/solver.h"
-#include "studies/input/table_keys.h"
+#include "studies/input/configuration.h"
 
 namespace zona::studies {
-
-/// What [time] says of the step.
-struct StepChoice {
-  std::optional<double> step;  ///< [s]; empty: courant times the critical step
-  double courant;              ///< fraction of the critical step [-]
-};
-
-/// Keys step and courant of [time], which must be open. `limit` is the interval of allowed steps
-/// [s].
-void declare_step(Schema& schema, const std::string& limit, const std::string& note);
 
 /// The time step of a simulation and the longest stable one [s].
 struct TimeStep {

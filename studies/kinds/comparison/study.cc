@@ -7,7 +7,7 @@
 
 #include "studies/kinds/piercing/run.h"
 #include "studies/kinds/piercing/study.h"
-#include "studies/kinds/piercing/values.h"
+#include "studies/kinds/piercing/scheme_tables.h"
 #include "studies/parameters/fill_table.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/parallel.h"

@@ -7,7 +7,7 @@
 #include "studies/parameters/numerics_table.h"
 #include "studies/parameters/output_table.h"
 #include "studies/parameters/run_table.h"
-#include "studies/parameters/time_step.h"
+#include "studies/parameters/step_table.h"
 
 namespace zona::studies {
 

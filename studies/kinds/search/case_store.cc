@@ -14,7 +14,7 @@
 #include "mpm/files/atomic_file.h"
 #include "mpm/points/errors.h"
 #include "studies/kinds/piercing/run.h"
-#include "studies/kinds/piercing/values.h"
+#include "studies/kinds/piercing/scheme_tables.h"
 #include "studies/parameters/fill_table.h"
 #include "studies/run/file_lock.h"
 #include "studies/run/interrupt.h"

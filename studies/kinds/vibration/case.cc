@@ -136,7 +136,7 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
     result.gain_uncertainty = pulse.gain_uncertainty;
   result.ring_down = ring_down(result.history, end_of_pulse(motion));
   result.residual_amplitude = residual_amplitude(result.history);
-  result.warnings = bath_warnings(study, "pipette", result.history);
+  result.warnings = bath_warnings(study, result.history);
   if (pipette.rod)
     result.axial =
         axial_result(integrate(*pipette.rod, beam::scaled(support, part.along), sampling,

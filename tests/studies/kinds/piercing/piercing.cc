@@ -5,7 +5,10 @@
 #include "coupling/tip_trace.h"
 #include "studies/kinds/piercing/case.h"
 #include "studies/kinds/piercing/values.h"
-#include "studies/parameters/beam_parameters.h"
+#include "studies/parameters/beam_integration_table.h"
+#include "studies/parameters/fill_table.h"
+#include "studies/parameters/pipette_model.h"
+#include "studies/parameters/pulse_table.h"
 #include "tests/studies/call.h"
 #include "tests/studies/study_files.h"
 

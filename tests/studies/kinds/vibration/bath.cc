@@ -5,7 +5,10 @@
 #include "beam/system/natural_modes.h"
 #include "studies/input/table_file.h"
 #include "studies/kinds/study_kinds.h"
-#include "studies/parameters/beam_parameters.h"
+#include "studies/parameters/beam_integration_table.h"
+#include "studies/parameters/fill_table.h"
+#include "studies/parameters/pipette_model.h"
+#include "studies/parameters/pulse_table.h"
 #include "tests/studies/call.h"
 #include "tests/studies/study_files.h"
 
@@ -51,7 +54,7 @@ immersed_length = "3 mm"
 integrator = "transform"
 )");
   const Configuration study = load_configuration(file, {});
-  const zona::beam::Pipette pipette = pipette_from(study, "pipette", fills_of(study).back());
+  const zona::beam::Pipette pipette = pipette_from(study, fills_of(study).back());
   const zona::beam::Diameters shoulder = diameters_at(pipette, 0);
   CHECK(shoulder.outer == Approx(40e-6));
   CHECK(shoulder.inner == Approx(32e-6));  // keeps the ratio of the tip
@@ -76,7 +79,7 @@ TEST_CASE("a profile of diameters is read from a table with units") {
                 "# measured\ndistance [mm], inner [um], outer [um]\n0, 8, 10\n\n2.5, 16, 20\n");
   const auto file = scratch.write("s.toml", kVibration + "[pipette]\nprofile = \"profile.csv\"\n");
   const Configuration study = load_configuration(file, {});
-  const zona::beam::Pipette pipette = pipette_from(study, "pipette", fills_of(study).back());
+  const zona::beam::Pipette pipette = pipette_from(study, fills_of(study).back());
   REQUIRE(pipette.profile.size() == 2);
   CHECK(pipette.profile[1].from_tip == Approx(2.5e-3));
   CHECK(pipette.profile[1].outer == Approx(20e-6));
@@ -142,8 +145,8 @@ TEST_CASE("a controller's voltage sets the peak by its gain") {
   const auto file = scratch.write(
       "s.toml", kVibration + "[pulse]\npeak = \"auto\"\nvoltage = \"5 V\"\ngain = \"2 um/V\"\n");
   const Configuration study = load_configuration(file, {});
-  CHECK(support_peak(study) == Approx(10e-6));
-  CHECK_THAT(calibration_text(study),
+  CHECK(study.read<Pulse>().support_peak() == Approx(10e-6));
+  CHECK_THAT(study.read<Pulse>().calibration_text(),
              Contains("5 V times 2 um/V is 10 um") && Contains("5 to 15 um"));
   CHECK(peak_displacement(support_motion(study, 60e-6)) == Approx(10e-6));
 }

@@ -7,7 +7,10 @@
 #include "studies/kinds/study_kinds.h"
 #include "studies/kinds/vibration/case.h"
 #include "studies/kinds/vibration/sensitivity.h"
-#include "studies/parameters/beam_parameters.h"
+#include "studies/parameters/beam_integration_table.h"
+#include "studies/parameters/fill_table.h"
+#include "studies/parameters/pipette_model.h"
+#include "studies/parameters/pulse_table.h"
 #include "tests/studies/study_files.h"
 
 using namespace zona::studies;

@@ -7,7 +7,10 @@
 
 #include "beam/exact/cantilever.h"
 #include "studies/kinds/vibration/study.h"
-#include "studies/parameters/beam_parameters.h"
+#include "studies/parameters/beam_integration_table.h"
+#include "studies/parameters/fill_table.h"
+#include "studies/parameters/pipette_model.h"
+#include "studies/parameters/pulse_table.h"
 #include "studies/program/commands.h"
 #include "studies/run/progress.h"
 #include "studies/run/run_directory.h"

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "studies/input/table_keys.h"
+
+namespace zona::studies {
+
+/// What [time] says of the step.
+struct StepChoice {
+  std::optional<double> step;  ///< [s]; empty: courant times the critical step
+  double courant;              ///< fraction of the critical step [-]
+};
+
+/// Keys step and courant of [time], which must be open. `limit` is the interval of allowed steps
+/// [s].
+void declare_step(Schema& schema, const std::string& limit, const std::string& note);
+
+}  // namespace zona::studies
