@@ -1,6 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "studies/kinds/piercing/values.h"
+#include "studies/kinds/piercing/motion_table.h"
+#include "studies/kinds/piercing/scheme_tables.h"
+#include "studies/kinds/piercing/tip_table.h"
+#include "studies/kinds/piercing/zona_table.h"
 #include "studies/program/bundled_studies.h"
 #include "tests/studies/study_files.h"
 
@@ -52,11 +55,13 @@ TEST_CASE("a vibration resolves to SI") {
 TEST_CASE("a piercing's automatic values are the source's") {
   const Configuration lateral = bundled("piercing_lateral.toml");
   CHECK(simulation_end(lateral) == 100e-6);
-  CHECK(motion_amplitude(lateral) == 13.5e-6);
-  CHECK(zona_edge_length(lateral) == Approx(0.865e-6).epsilon(1e-3));
+  CHECK(lateral.read<Motion>().peak() == 13.5e-6);
+  CHECK(lateral.read<Zona>().edge_length() == Approx(0.865e-6).epsilon(1e-3));
   // Glass 2300 and the bore full of mercury, 64/36 of the glass; the source states 26441.
-  CHECK(pipette_point_density(lateral, 13600) == Approx(26477.8).epsilon(1e-5));
-  CHECK(pipette_point_density(lateral, 13600) == Approx(26441).epsilon(2e-3));
+  CHECK(lateral.read<Tip>().density_with(13600, lateral.read<GlassTube>()) ==
+        Approx(26477.8).epsilon(1e-5));
+  CHECK(lateral.read<Tip>().density_with(13600, lateral.read<GlassTube>()) ==
+        Approx(26441).epsilon(2e-3));
   const Configuration axial = bundled("piercing_axial.toml", {"motion.duration = \"30 us\""});
   CHECK(simulation_end(axial) == 30e-6);
   const Configuration beam = bundled("piercing_beam.toml", {"time.end = \"10 us\""});

@@ -4,7 +4,6 @@
 
 #include "coupling/tip_trace.h"
 #include "studies/kinds/piercing/case.h"
-#include "studies/kinds/piercing/values.h"
 #include "studies/parameters/beam_integration_table.h"
 #include "studies/parameters/fill_table.h"
 #include "studies/parameters/pipette_model.h"
