@@ -95,6 +95,13 @@ inline void assign(const Setting& setting, std::vector<NamedQuantity>& value) {
 inline void assign(const Setting& setting, Eigen::Vector3d& value) {
   value = {setting.numbers.at(0), setting.numbers.at(1), setting.numbers.at(2)};
 }
+/// As the user wrote it, of whatever kind.
+inline void assign(const Setting& setting, TomlValue& value) {
+  value = setting.written;
+}
+inline void assign(const Setting& setting, std::vector<TomlValue>& value) {
+  value = setting.written.items;
+}
 template <std::size_t count>
 void assign(const Setting& setting, std::array<int, count>& value) {
   for (std::size_t i = 0; i < count; ++i) value[i] = static_cast<int>(setting.numbers.at(i));

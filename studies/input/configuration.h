@@ -66,6 +66,8 @@ class Configuration {
   template <class T, class M>
   bool is_default(M T::*member) const;
   /// @}
+  template <class T>
+  Table table() const;
   /// All items of the list that is bound to T.
   template <class T>
   std::vector<T> read_all() const;
@@ -129,6 +131,8 @@ class Table {
   T read() const;
   template <class T, class M>
   M value(M T::*member) const;
+  template <class T, class M>
+  std::string key(M T::*member) const;
   /// The last part of a member's key.
   template <class T, class M>
   const std::string& leaf(M T::*member) const;
@@ -186,6 +190,11 @@ M Table::value(M T::*member) const {
 }
 
 template <class T, class M>
+std::string Table::key(M T::*member) const {
+  return key(leaf(member));
+}
+
+template <class T, class M>
 bool Table::applies(M T::*member) const {
   return applies(leaf(member));
 }
@@ -196,13 +205,18 @@ Problem Table::problem(M T::*member, const std::string& message) const {
 }
 
 template <class T>
+Table Configuration::table() const {
+  return table(schema_->binding<T>().section);
+}
+
+template <class T>
 T Configuration::read() const {
-  return table(schema_->binding<T>().section).template read<T>();
+  return table<T>().template read<T>();
 }
 
 template <class T, class M>
 M Configuration::value(M T::*member) const {
-  return table(schema_->binding<T>().section).value(member);
+  return table<T>().value(member);
 }
 
 template <class T, class M>

@@ -129,6 +129,11 @@ Parameter& Parameter::only_with(const std::string& choice_key, std::vector<std::
   return *this;
 }
 
+Parameter& Parameter::only_where(Condition condition) {
+  conditions.push_back(std::move(condition));
+  return *this;
+}
+
 Parameter& Parameter::without_default() {
   default_toml.clear();
   return *this;

@@ -71,6 +71,8 @@ struct Parameter {
   /// The key applies only where `choice_key`, the last part of a choice declared before in the same
   /// table, has one of the values; elsewhere it has no value, and giving one is a problem.
   Parameter& only_with(const std::string& choice_key, std::vector<std::string> values);
+  /// The same with a condition that is made already (TableKeys::is).
+  Parameter& only_where(Condition condition);
   /// Removes the default: every study file must set the key.
   Parameter& without_default();
   Parameter& called(std::string symbol_in_the_source);

@@ -108,6 +108,24 @@ class TableKeys {
     bind(leaf, member);
     return with_conditions(schema_.texts(key(leaf), values));
   }
+  /// Values that stand for those of another key, as written.
+  template <class C>
+  Parameter& anything(const char* leaf, std::vector<TomlValue> C::*member) {
+    bind(leaf, member);
+    return with_conditions(schema_.anything(key(leaf)));
+  }
+  /// One such value, empty for "auto".
+  template <class C>
+  Parameter& bound(const char* leaf, std::optional<TomlValue> C::*member) {
+    bind(leaf, member);
+    return with_conditions(schema_.bound(key(leaf)));
+  }
+  /// A key that `declare` declares, given the schema and the full key.
+  template <class M, class C, class Declare>
+  Parameter& declared(const char* leaf, M C::*member, const Declare& declare) {
+    bind(leaf, member);
+    return with_conditions(declare(schema_, key(leaf)));
+  }
   template <class M, class C>
   Parameter& reference(const char* leaf, M C::*member, const std::string& refers_to) {
     bind(leaf, member);

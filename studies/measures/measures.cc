@@ -2,18 +2,23 @@
 
 #include <fmt/format.h>
 
+#include "studies/measures/profile_table.h"
+#include "studies/measures/section_table.h"
+
 namespace zona::studies {
 
 Measures::Measures(const Configuration& study, const mpm::Solver& solver,
                    const Eigen::Vector3d& origin, double end,
                    const std::filesystem::path& directory, bool is_resumed)
     : solver_(solver) {
-  const bool has_profiles = study.item_count("profile") + study.item_count("section") > 0;
-  if (!has_profiles && study.item_count("probe") == 0) return;
+  const std::vector<Table> probes = study.items<ProbeTable>();
+  const bool has_profiles =
+      !study.items<ProfileTable>().empty() || !study.items<SectionTable>().empty();
+  if (!has_profiles && probes.empty()) return;
   bodies_.emplace(solver);
-  for (const Table& table : study.items("probe")) {
+  for (const Table& table : probes) {
     names_.push_back(table.name());
-    probes_.emplace_back(table, solver.grid(), origin, *bodies_);
+    probes_.emplace_back(table.name(), table.read<ProbeTable>(), solver.grid(), origin, *bodies_);
   }
   if (has_profiles) profiles_.emplace(study, solver, origin, *bodies_, end, directory, is_resumed);
 }

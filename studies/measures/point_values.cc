@@ -79,20 +79,21 @@ void take_state(const Material& m, int p, PointValues& point) {
 }  // namespace
 
 const std::vector<PointQuantity>& point_quantities() {
+  using Of = PointQuantity::Of;
   static const std::vector<std::string> vector{"x", "y", "z"}, scalar{""};
   static const std::vector<std::string> tensor{"xx", "yy", "zz", "xy", "yz", "zx"};
   static const std::vector<PointQuantity> quantities{
-      {"position", "m", vector, position, false},
-      {"displacement", "m", vector, displacement, false},
-      {"velocity", "m/s", vector, velocity, false},
-      {"stress", "Pa", tensor, stress, true},
-      {"equivalent_stress", "Pa", scalar, equivalent_stress, true},
-      {"pressure", "Pa", scalar, pressure, true},
-      {"density", "kg/m^3", scalar, density, true},
-      {"strain", "", scalar, strain, true},
-      {"energy", "J/kg", scalar, energy, false},
-      {"plastic_strain", "", scalar, plastic_strain, true},
-      {"damage", "", scalar, damage, true}};
+      {"position", "m", vector, position, false, Of::all},
+      {"displacement", "m", vector, displacement, false, Of::all},
+      {"velocity", "m/s", vector, velocity, false, Of::all},
+      {"stress", "Pa", tensor, stress, true, Of::deformable},
+      {"equivalent_stress", "Pa", scalar, equivalent_stress, true, Of::deformable},
+      {"pressure", "Pa", scalar, pressure, true, Of::deformable},
+      {"density", "kg/m^3", scalar, density, true, Of::deformable},
+      {"strain", "", scalar, strain, true, Of::membranes},
+      {"energy", "J/kg", scalar, energy, false, Of::deformable},
+      {"plastic_strain", "", scalar, plastic_strain, true, Of::plastic},
+      {"damage", "", scalar, damage, true, Of::failing}};
   return quantities;
 }
 
@@ -101,12 +102,6 @@ const PointQuantity& point_quantity(const std::string& name) {
     if (quantity.name == name) return quantity;
   }
   throw std::logic_error("there is no quantity " + name);
-}
-
-std::vector<std::string> quantity_names() {
-  std::vector<std::string> names;
-  for (const PointQuantity& quantity : point_quantities()) names.push_back(quantity.name);
-  return names;
 }
 
 PointValues values_at(const mpm::Body& body, int p, const Eigen::Vector3d& start) {

@@ -12,11 +12,16 @@ namespace zona::studies {
 
 /// A quantity that can be measured at a material point, and its place in `PointValues`.
 struct PointQuantity {
+  /// Bodies whose points have it: all, those that deform, membranes, or those whose law knows
+  /// failure or plastic flow.
+  enum class Of { all, deformable, membranes, failing, plastic };
+
   std::string name;  ///< as in a study file
   std::string unit;
   std::vector<std::string> components;  ///< "xx", ...; a scalar has one empty name
   std::size_t first;                    ///< in PointValues::value
   bool by_volume;                       ///< means are weighted with the volume, not with the mass
+  Of of;
 };
 
 /// Position, displacement, velocity, stress (xx yy zz xy yz zx), equivalent_stress (von Mises),
@@ -26,7 +31,6 @@ struct PointQuantity {
 const std::vector<PointQuantity>& point_quantities();
 /// Throws std::logic_error for an unknown name.
 const PointQuantity& point_quantity(const std::string& name);
-std::vector<std::string> quantity_names();
 
 /// All quantities of a point, or their means over several points, in SI; zero where a material has
 /// none.

@@ -4,25 +4,20 @@
 #include <cmath>
 #include <limits>
 
-#include "studies/parameters/box.h"
-
 namespace zona::studies {
 
-Probe::Probe(const Table& table, const mpm::BackgroundGrid& grid, const Eigen::Vector3d& origin,
-             const TrackedBodies& bodies)
-    : name_(table.name()),
-      body_(bodies.index_of(table.text("body"))),
-      is_point_(table.choice("kind") == "point") {
-  for (const std::string& name : table.texts("quantities")) {
-    quantities_.push_back(point_quantity(name));
-  }
+Probe::Probe(const std::string& name, const ProbeTable& table, const mpm::BackgroundGrid& grid,
+             const Eigen::Vector3d& origin, const TrackedBodies& bodies)
+    : name_(name),
+      body_(bodies.index_of(table.body)),
+      quantities_(table.quantities),
+      is_point_(table.kind == ProbeKind::point) {
   if (is_point_) {
-    const std::vector<double> place = table.quantities("place");
-    choose_nearest(origin + Eigen::Vector3d(place[0], place[1], place[2]), bodies);
+    choose_nearest(origin + table.place, bodies);
     return;
   }
-  box_ = box_of(table, grid, origin);
-  is_current_ = table.choice("membership") == "current";
+  box_ = table.in(grid, origin);
+  is_current_ = table.membership == Membership::current;
   for (int id = 0; id < bodies.point_count(body_); ++id) {
     if (box_.contains(bodies.start_of(body_, id))) ids_.push_back(id);
   }
@@ -41,8 +36,8 @@ void Probe::choose_nearest(const Eigen::Vector3d& place, const TrackedBodies& bo
 
 std::vector<Column> Probe::headings() const {
   std::vector<Column> headings;
-  for (const PointQuantity& quantity : quantities_) {
-    for (Column& column : columns_of(quantity, "probe." + name_ + ".")) headings.push_back(column);
+  for (const PointQuantity* quantity : quantities_) {
+    for (Column& column : columns_of(*quantity, "probe." + name_ + ".")) headings.push_back(column);
   }
   return headings;
 }
@@ -72,9 +67,9 @@ PointValues Probe::values(const TrackedBodies& bodies) const {
 void Probe::sample(const TrackedBodies& bodies) {
   const PointValues now = values(bodies);
   std::vector<double> row;
-  for (const PointQuantity& quantity : quantities_) {
-    const auto first = now.value.begin() + static_cast<std::ptrdiff_t>(quantity.first);
-    row.insert(row.end(), first, first + static_cast<std::ptrdiff_t>(quantity.components.size()));
+  for (const PointQuantity* quantity : quantities_) {
+    const auto first = now.value.begin() + static_cast<std::ptrdiff_t>(quantity->first);
+    row.insert(row.end(), first, first + static_cast<std::ptrdiff_t>(quantity->components.size()));
   }
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   extremes_.resize(row.size(), {nan, nan, nan});

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "studies/input/configuration.h"
+#include "studies/measures/probe_table.h"
 #include "studies/measures/tracked_bodies.h"
 
 namespace zona::studies {
@@ -11,8 +11,8 @@ namespace zona::studies {
 class Probe {
  public:
   /// Places in the table count from `origin` [m].
-  Probe(const Table& table, const mpm::BackgroundGrid& grid, const Eigen::Vector3d& origin,
-        const TrackedBodies& bodies);
+  Probe(const std::string& name, const ProbeTable& table, const mpm::BackgroundGrid& grid,
+        const Eigen::Vector3d& origin, const TrackedBodies& bodies);
 
   /// "probe.NAME.stress_xx", ... with the values of the last `sample`; they refer to this object.
   std::vector<ValueColumn<>> columns() const;
@@ -33,7 +33,7 @@ class Probe {
 
   std::string name_;
   std::size_t body_;
-  std::vector<PointQuantity> quantities_;
+  std::vector<const PointQuantity*> quantities_;
   bool is_point_;
   bool is_current_ = false;  ///< the mean is over the points that are in the box at present
   std::vector<int> ids_;     ///< of the point, or of those in the box at the start

@@ -8,7 +8,8 @@
 #include <limits>
 #include <map>
 
-#include "studies/parameters/box.h"
+#include "studies/measures/profile_table.h"
+#include "studies/measures/section_table.h"
 #include "studies/parameters/time_step.h"
 
 namespace zona::studies {
@@ -27,10 +28,10 @@ std::vector<Column> columns_after(std::vector<Column> columns) {
   return columns;
 }
 
-std::vector<std::size_t> bodies_of(const Table& table, const TrackedBodies& bodies) {
+std::vector<std::size_t> bodies_of(const Averages& averages, const TrackedBodies& bodies) {
   std::vector<std::size_t> chosen;
-  if (!table.is_auto("bodies")) {
-    for (const std::string& name : table.texts("bodies")) chosen.push_back(bodies.index_of(name));
+  if (averages.bodies) {
+    for (const std::string& name : *averages.bodies) chosen.push_back(bodies.index_of(name));
     return chosen;
   }
   for (std::size_t b = 0; b < bodies.body_count(); ++b) {
@@ -50,35 +51,32 @@ mpm::Box layer_around(double place, int axis, const mpm::BackgroundGrid& grid) {
   return layer;
 }
 
-/// The axis normal to the plane of a section.
-int normal_of(const Table& section) {
-  return section.choice("normal")[0] - 'x';
-}
-
 }  // namespace
 
 void check_sections(const Configuration& study, const mpm::BackgroundGrid& grid,
                     const Vector3d& origin) {
   std::vector<Problem> problems;
-  for (const Table& section : study.items("section")) {
-    const int normal = normal_of(section);
+  for (const Table& table : study.items<SectionTable>()) {
+    const auto section = table.read<SectionTable>();
+    const int normal = section.normal;
     const double low = grid.origin()[normal] - origin[normal];
     const double high = grid.upper_corner()[normal] - origin[normal];
-    const double place = section.quantity("place");
-    if (place >= low && place <= high) continue;
-    problems.push_back(
-        section.problem("place", fmt::format("{:g} m is outside the grid, {:g} to {:g} m along {}",
-                                             place, low, high, section.choice("normal"))));
+    if (section.place >= low && section.place <= high) continue;
+    problems.push_back(table.problem(&SectionTable::place,
+                                     fmt::format("{:g} m is outside the grid, {:g} to {:g} m along "
+                                                 "{}",
+                                                 section.place, low, high, "xyz"[normal])));
   }
   if (!problems.empty()) throw InputError(problems);
 }
 
-Profiles::Profile Profiles::make_profile(const Table& table, const mpm::Solver& solver,
-                                         const TrackedBodies& bodies, double end) {
+Profiles::Profile Profiles::make_profile(const std::string& name, const Averages& averages,
+                                         const mpm::Solver& solver, const TrackedBodies& bodies,
+                                         double end) {
   Profile profile;
-  profile.name = table.name();
-  profile.bodies = bodies_of(table, bodies);
-  profile.times = table.is_auto("times") ? std::vector<double>{end} : table.quantities("times");
+  profile.name = name;
+  profile.bodies = bodies_of(averages, bodies);
+  profile.times = averages.times.value_or(std::vector<double>{end});
   // A run ends with its last whole step, which is what a time after it gets.
   const double step = solver.step_size();
   const double last = static_cast<double>(step_count(end, step)) * step;
@@ -90,26 +88,26 @@ Profiles::Profile Profiles::make_profile(const Table& table, const mpm::Solver& 
 Profiles::Profile Profiles::make_slices(const Table& table, const mpm::Solver& solver,
                                         const Vector3d& origin, const TrackedBodies& bodies,
                                         double end) {
-  Profile profile = make_profile(table, solver, bodies, end);
+  const auto wanted = table.read<ProfileTable>();
+  Profile profile = make_profile(table.name(), wanted, solver, bodies, end);
   const mpm::BackgroundGrid& grid = solver.grid();
-  const int axis = table.choice("axis")[0] - 'x';
-  profile.box = box_of(table, grid, origin);
-  profile.is_current = table.choice("membership") == "current";
+  profile.box = wanted.in(grid, origin);
+  profile.is_current = wanted.membership == Membership::current;
   profile.bin = Vector3d::Constant(undivided);
-  profile.bin[axis] = table.is_auto("width")
-                          ? static_cast<double>(table.integer("cells")) * grid.cell_size()[axis]
-                          : table.quantity("width");
-  profile.axes = {axis};
+  profile.bin[wanted.axis] =
+      wanted.width.value_or(static_cast<double>(wanted.cells) * grid.cell_size()[wanted.axis]);
+  profile.axes = {wanted.axis};
   return profile;
 }
 
 Profiles::Profile Profiles::make_section(const Table& table, const mpm::Solver& solver,
                                          const Vector3d& origin, const TrackedBodies& bodies,
                                          double end) {
-  Profile section = make_profile(table, solver, bodies, end);
+  const auto wanted = table.read<SectionTable>();
+  Profile section = make_profile(table.name(), wanted, solver, bodies, end);
   const mpm::BackgroundGrid& grid = solver.grid();
-  const int normal = normal_of(table);
-  section.box = layer_around(origin[normal] + table.quantity("place"), normal, grid);
+  const int normal = wanted.normal;
+  section.box = layer_around(origin[normal] + wanted.place, normal, grid);
   section.is_current = true;
   section.bin = grid.cell_size();
   section.bin[normal] = undivided;
@@ -120,9 +118,9 @@ Profiles::Profile Profiles::make_section(const Table& table, const mpm::Solver& 
 Profiles::Profiles(const Configuration& study, const mpm::Solver& solver, const Vector3d& origin,
                    const TrackedBodies& bodies, double end, const std::filesystem::path& directory,
                    bool is_resumed) {
-  for (const Table& table : study.items("profile"))
+  for (const Table& table : study.items<ProfileTable>())
     profiles_.profiles.push_back(make_slices(table, solver, origin, bodies, end));
-  for (const Table& table : study.items("section"))
+  for (const Table& table : study.items<SectionTable>())
     sections_.profiles.push_back(make_section(table, solver, origin, bodies, end));
   if (!profiles_.profiles.empty()) {
     profiles_.file.emplace(directory / "profiles.csv",

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "studies/input/configuration.h"
+#include "studies/measures/averages.h"
 #include "studies/measures/tracked_bodies.h"
 #include "studies/run/history_file.h"
 
@@ -49,8 +50,8 @@ class Profiles {
     std::optional<HistoryFile> file;
   };
 
-  static Profile make_profile(const Table& table, const mpm::Solver& solver,
-                              const TrackedBodies& bodies, double end);
+  static Profile make_profile(const std::string& name, const Averages& averages,
+                              const mpm::Solver& solver, const TrackedBodies& bodies, double end);
   static Profile make_slices(const Table& table, const mpm::Solver& solver,
                              const Eigen::Vector3d& origin, const TrackedBodies& bodies,
                              double end);

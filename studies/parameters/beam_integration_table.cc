@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "studies/parameters/bath_table.h"
+#include "studies/parameters/step_limits.h"
 
 namespace zona::studies {
 
@@ -16,20 +17,8 @@ const Words<IntegratorName> kIntegrators{{"newmark", IntegratorName::newmark},
                                          {"transform", IntegratorName::transform}};
 
 void check_steps(const Configuration& study, const Complain& complain) {
-  const double step = study.value(&BeamIntegration::step);
-  const double end = study.value(&BeamIntegration::end);
-  constexpr double most = 1e8;
-  if (step > end) {
-    complain(
-        study.key(&BeamIntegration::step),
-        fmt::format("the step of {:g} us is longer than the run of {:g} us; choose one below {}",
-                    step * 1e6, end * 1e6, study.key(&BeamIntegration::end)));
-  } else if (end / step > most) {
-    complain(study.key(&BeamIntegration::step),
-             fmt::format("the step of {:g} us makes {:g} steps of the run of {:g} us; at most 1e8 "
-                         "are allowed, so choose at least {:g} us",
-                         step * 1e6, end / step, end * 1e6, end * 1e6 / most));
-  }
+  check_step(study.key(&BeamIntegration::step), study.value(&BeamIntegration::step),
+             study.key(&BeamIntegration::end), study.value(&BeamIntegration::end), complain);
 }
 
 void check_bath(const Configuration& study, const Complain& complain) {

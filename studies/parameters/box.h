@@ -33,9 +33,10 @@ void check_box(const BoxKeys& box, bool may_be_flat, const std::string& high_key
 /// The same for a table that is bound to T, where its box applies.
 template <class T>
 void check_box(const Table& table, const Complain& complain, bool may_be_flat) {
-  const std::string& high = table.leaf(static_cast<Eigen::Vector3d T::*>(&BoxKeys::high));
+  Eigen::Vector3d T::*low = &BoxKeys::low;
+  Eigen::Vector3d T::*high = &BoxKeys::high;
   if (!table.applies(high)) return;
-  check_box(table.read<T>(), may_be_flat, high, complain);
+  check_box({table.value(low), table.value(high)}, may_be_flat, table.leaf(high), complain);
 }
 
 template <class T>

@@ -12,6 +12,8 @@ const Words<mpm::OneWay> kOneWays{
     {"stress", mpm::OneWay::stress}, {"strain", mpm::OneWay::strain}, {"off", mpm::OneWay::off}};
 const Words<StressUpdate> kStressUpdates{{"total", StressUpdate::total},
                                          {"increments", StressUpdate::increments}};
+const Words<MembraneKinematics> kKinematics{{"source", MembraneKinematics::source},
+                                            {"objective", MembraneKinematics::objective}};
 
 void check_plasticity(const Table& table, const Complain& complain) {
   const std::string peak_key = table.leaf(&Plasticity::peak_strength);
@@ -45,7 +47,7 @@ Plasticity::Defaults Plasticity::zona() {
 }
 
 Plasticity::Defaults Plasticity::perfect() {
-  return {"300 MPa", "auto", "0 Pa", "0 Pa"};
+  return {"", "auto", "0 Pa", "0 Pa"};
 }
 
 mpm::VonMises Plasticity::law() const {
@@ -63,6 +65,14 @@ mpm::Decohesion Separation::law(const Eigen::Vector3d& cell) const {
   law.mode_ratio = mode_ratio;
   law.reference_traction = reference_traction.value_or(0);
   law.cell = cell;
+  return law;
+}
+
+mpm::VonMises plastic_law(const Table& table, bool with_decohesion, const Eigen::Vector3d& cell) {
+  mpm::VonMises law = table.read<Plasticity>().law();
+  if (!with_decohesion) return law;
+  law.decohesion = table.read<Separation>().law(cell);
+  law.decohesion->localization = table.read<MembraneOptions>().bifurcation;
   return law;
 }
 
@@ -95,10 +105,12 @@ void declare_plasticity(Schema& schema, const std::string& section,
                         const Plasticity::Defaults& defaults,
                         const std::vector<Condition>& conditions) {
   auto keys = keys_in<Plasticity>(schema, section, conditions);
-  keys.quantity("yield_strength", &Plasticity::yield_strength, "Pa", defaults.yield_strength)
-      .in("(0, 1e13]")
-      .called("sigma_y")
-      .doc("Equivalent stress at which plastic flow begins (5.13); for the zona see 5.4.");
+  Parameter& yield =
+      keys.quantity("yield_strength", &Plasticity::yield_strength, "Pa", defaults.yield_strength)
+          .in("(0, 1e13]")
+          .called("sigma_y")
+          .doc("Equivalent stress at which plastic flow begins (5.13); for the zona see 5.4.");
+  if (defaults.yield_strength.empty()) yield.without_default();
   keys.quantity("peak_strength", &Plasticity::peak_strength, "Pa", defaults.peak_strength)
       .in("(0, 1e13]")
       .or_auto()
@@ -171,6 +183,15 @@ void declare_stress_update(Schema& schema, const std::string& section,
       .doc(
           "Of an elastic membrane: its stress from the total local strain, or as the sum of what "
           "increments of it give (5.42); one and the same curve (Figure 5.9).");
+}
+
+void declare_kinematics(Schema& schema, const std::string& section,
+                        const std::vector<Condition>& conditions) {
+  keys_in<MembraneOptions>(schema, section, conditions)
+      .choice("kinematics", &MembraneOptions::kinematics, kKinematics)
+      .doc(
+          "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
+          "source; or objective, from the deformation gradient of the triangles.");
 }
 
 }  // namespace zona::studies

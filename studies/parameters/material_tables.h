@@ -26,13 +26,13 @@ struct Plasticity {
 
   /// Defaults in the user's notation.
   struct Defaults {
-    std::string yield_strength;
-    std::string peak_strength;  ///< or "auto": no hardening
+    std::string yield_strength;  ///< empty: it must be given
+    std::string peak_strength;   ///< or "auto": no hardening
     std::string hardening_modulus;
     std::string softening_modulus;
   };
   static Defaults zona();     ///< of the zona pellucida (5.4)
-  static Defaults perfect();  ///< of a solid that flows at a constant strength
+  static Defaults perfect();  ///< of a solid that flows at a constant strength of its own
 
   mpm::VonMises law() const;
 };
@@ -54,6 +54,14 @@ struct Separation {
 void declare_separation(Schema& schema, const std::string& section,
                         const std::vector<Condition>& conditions = {});
 
+/// Von Mises plasticity with the keys of a table, which has those of Plasticity; with decohesion
+/// where it has those of Separation, too, and they are wanted. `cell` are the edges of the grid's
+/// cells [m].
+mpm::VonMises plastic_law(const Table& table, bool with_decohesion, const Eigen::Vector3d& cell);
+
+/// How a membrane's strain follows its motion.
+enum class MembraneKinematics { source, objective };
+
 /// How the stress of an elastic membrane follows its strain (5.42).
 enum class StressUpdate { total, increments };
 
@@ -62,6 +70,7 @@ struct MembraneOptions {
   mpm::Localization bifurcation = mpm::Localization::plane_stress;
   mpm::OneWay one_way = mpm::OneWay::stress;
   StressUpdate stress_update = StressUpdate::total;
+  MembraneKinematics kinematics = MembraneKinematics::source;
 
   mpm::MembraneLaw elastic_law() const;
 };
@@ -71,5 +80,7 @@ void declare_one_way(Schema& schema, const std::string& section,
                      const std::vector<Condition>& conditions = {});
 void declare_stress_update(Schema& schema, const std::string& section,
                            const std::vector<Condition>& conditions = {});
+void declare_kinematics(Schema& schema, const std::string& section,
+                        const std::vector<Condition>& conditions = {});
 
 }  // namespace zona::studies

@@ -8,8 +8,8 @@
 #include "mpm/bodies/mixed_control.h"
 #include "mpm/points/errors.h"
 #include "studies/kinds/material_point/events.h"
-#include "studies/kinds/material_point/path.h"
-#include "studies/parameters/material_parameters.h"
+#include "studies/kinds/material_point/material_table.h"
+#include "studies/kinds/material_point/path_table.h"
 #include "studies/run/history_file.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/progress.h"
@@ -24,14 +24,18 @@ using mpm::SymmetricTensor;
 
 /// The components that a row holds: all, or those of a membrane.
 std::vector<int> shown_components(const Configuration& study) {
-  if (study.choice("material.geometry") == "membrane") return {0, 1, 3};
+  if (study.value(&PointMaterial::geometry) == PointGeometry::membrane) return kPlaneComponents;
   return {0, 1, 2, 3, 4, 5};
+}
+
+std::string component_name(int component) {
+  return word_for(kStrainComponents, component);
 }
 
 std::vector<Column> columns(const std::vector<int>& shown) {
   std::vector<Column> result{{"step", ""}};
-  for (int c : shown) result.push_back({fmt::format("strain_{}", strain_components[c]), ""});
-  for (int c : shown) result.push_back({fmt::format("stress_{}", strain_components[c]), "Pa"});
+  for (int c : shown) result.push_back({fmt::format("strain_{}", component_name(c)), ""});
+  for (int c : shown) result.push_back({fmt::format("stress_{}", component_name(c)), "Pa"});
   result.insert(result.end(), {{"equivalent_stress", "Pa"},
                                {"internal_variable", ""},
                                {"integrity", ""},
@@ -50,33 +54,14 @@ std::vector<double> row(long step, const PointSample& s, const std::vector<int>&
   return values;
 }
 
-mpm::VonMises plasticity(const Configuration& study) {
-  mpm::VonMises law = von_mises_from(study, "material.");
-  if (study.choice("material.law") == "decohesion") {
-    const double edge = study.quantity("material.cell");
-    law.decohesion = decohesion_from(study, "material.", Eigen::Vector3d::Constant(edge));
-    law.decohesion->localization = localization_of(study.choice("material.bifurcation"));
-  }
-  return law;
-}
-
-/// What the study's law is, as a law of solids or of membranes.
-template <class Law>
-Law law_of(const Configuration& study) {
-  const std::string& name = study.choice("material.law");
-  if (name == "elastic") return mpm::Elastic{};
-  if (name == "elastodamage") return elastodamage_from(study, "material.");
-  return plasticity(study);
-}
-
 /// Leads the point along the path; every step goes into the history and the events.
 class PathRun {
  public:
-  PathRun(const Configuration& study, const std::filesystem::path& history)
+  PathRun(const Configuration& study, const StrainPath& path, const std::filesystem::path& history)
       : point_(material_point(study)),
-        targets_(path_strains(study)),
-        free_(free_components(study)),
-        steps_(study.integer("path.steps")),
+        targets_(path.targets()),
+        free_(path.free_components()),
+        steps_(path.steps),
         shown_(shown_components(study)),
         history_(history, columns(shown_)),
         events_(point_.sample()) {
@@ -126,24 +111,10 @@ class PathRun {
 
 }  // namespace
 
-mpm::SinglePoint material_point(const Configuration& study) {
-  const double modulus = study.quantity("material.youngs_modulus");
-  const double nu = study.number("material.poisson_ratio");
-  if (study.choice("material.geometry") == "solid") {
-    return {mpm::ElasticModuli{modulus, nu}, law_of<mpm::SolidLaw>(study)};
-  }
-  const mpm::MembraneProperties properties{1000, 1, modulus, nu,
-                                           one_way_of(study.choice("material.one_way"))};
-  if (study.choice("material.stress_update") == "increments") {
-    return {properties, mpm::MembraneLaw(mpm::IncrementalElastic{})};
-  }
-  return {properties, law_of<mpm::MembraneLaw>(study)};
-}
-
 Job prepare_material_point(const Configuration& study) {
   material_point(study);
   return [study](Session& session) {
-    PathRun run(study, session.directory.file("history.csv"));
+    PathRun run(study, study.read<StrainPath>(), session.directory.file("history.csv"));
     try {
       run.run(session.progress);
     } catch (...) {
@@ -155,8 +126,8 @@ Job prepare_material_point(const Configuration& study) {
 }
 
 StudyCost estimate_material_point(const Configuration& study) {
-  return {fmt::format("one point, {} segments of {} steps", path_strains(study).size(),
-                      study.integer("path.steps"))};
+  const auto path = study.read<StrainPath>();
+  return {fmt::format("one point, {} segments of {} steps", path.targets().size(), path.steps)};
 }
 
 }  // namespace zona::studies

@@ -37,7 +37,7 @@ PiercingSetup::Zona zona_setup(const Configuration& study) {
   zona.membrane = {keys.density, keys.thickness, keys.youngs_modulus, keys.poisson_ratio,
                    study.value(&MembraneOptions::one_way)};
   zona.law = zona_law(study, study.value(&Grid::cell));
-  zona.objective = keys.kinematics == ZonaKinematics::objective;
+  zona.objective = study.value(&MembraneOptions::kinematics) == MembraneKinematics::objective;
   return zona;
 }
 

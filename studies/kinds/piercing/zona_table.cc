@@ -13,8 +13,6 @@ namespace {
 const Words<ZonaLaw> kLaws{{"elastodamage", ZonaLaw::elastodamage},
                            {"decohesion", ZonaLaw::decohesion},
                            {"elastic", ZonaLaw::elastic}};
-const Words<ZonaKinematics> kKinematics{{"source", ZonaKinematics::source},
-                                        {"objective", ZonaKinematics::objective}};
 
 void check_thickness(const Configuration& study, const Complain& complain) {
   const double radius = study.value(&Zona::diameter) / 2;
@@ -69,10 +67,7 @@ void declare_zona(Schema& schema) {
   declare_plasticity(schema, "zona", Plasticity::zona());
   declare_separation(schema, "zona");
   declare_bifurcation(schema, "zona");
-  keys.choice("kinematics", &Zona::kinematics, kKinematics)
-      .doc(
-          "Strain of the membrane: accumulated in fixed axes and rotated (4.10), (4.21), as the "
-          "source; or objective, from the deformation gradient of the triangles.");
+  declare_kinematics(schema, "zona");
   declare_one_way(schema, "zona");
   declare_stress_update(schema, "zona");
   schema.check(check_thickness);

@@ -7,9 +7,6 @@ namespace zona::studies {
 
 enum class ZonaLaw { elastodamage, decohesion, elastic };
 
-/// How the zona's strain follows its motion.
-enum class ZonaKinematics { source, objective };
-
 /// The zona pellucida, a spherical membrane.
 struct Zona {
   double diameter;        ///< of the oocyte [m]
@@ -19,7 +16,6 @@ struct Zona {
   double poisson_ratio;   ///< [-]
   double density;         ///< [kg/m^3]
   ZonaLaw law;
-  ZonaKinematics kinematics;
 
   /// Mean distance of neighbouring points [m]: 1.107 R / 2^level, the icosahedron's edge 1.107 R
   /// (along the sphere) divided `level` times.

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "studies/input/with_key.h"
-#include "studies/parameters/material_parameters.h"
-#include "studies/parameters/numerics_parameters.h"
+#include "studies/kinds/scene/body_table.h"
+#include "studies/kinds/scene/fluid_table.h"
+#include "studies/kinds/scene/motion_table.h"
+#include "studies/parameters/material_tables.h"
 
 namespace zona::studies {
 
@@ -14,10 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Values of a formula at places, problems told at its key.
+/// Values of a formula at places, problems reported at its key.
 std::vector<double> values_at(const Table& table, const std::string& key, const Formula& formula,
                               const std::vector<Vector3d>& places) {
-  return with_key(table.study(), table.key(key), [&] {
+  return with_key(table.study(), key, [&] {
     std::vector<double> values;
     values.reserve(places.size());
     for (const Vector3d& place : places) values.push_back(formula.at(place));
@@ -33,7 +35,7 @@ struct Pieces {
 
 void check_places(const Table& table, const mpm::BackgroundGrid& grid, const Pieces& pieces) {
   const auto refuse = [&](const std::string& message) {
-    throw InputError(table.problem("shape", message));
+    throw InputError(table.problem(&BodyShape::shape, message));
   };
   if (pieces.places.empty()) {
     refuse("holds no point; make it larger, the cells smaller, or points_per_cell greater");
@@ -50,25 +52,13 @@ void check_places(const Table& table, const mpm::BackgroundGrid& grid, const Pie
 mpm::MaterialPoints points_of(const Table& table, const Pieces& pieces,
                               const std::vector<double>& mass) {
   mpm::MaterialPoints points = mpm::make_points(pieces.places, mass);
-  if (!table.applies("velocity")) return points;
-  const std::vector<Formula> velocity = table.formulas("velocity");
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto values = values_at(table, "velocity", velocity[axis], pieces.places);
+  const auto velocity = table.read<BodyMotion>().velocity;
+  for (std::size_t axis = 0; axis < velocity.size(); ++axis) {
+    const auto values =
+        values_at(table, table.key(&BodyMotion::velocity), velocity[axis], pieces.places);
     std::copy(values.begin(), values.end(), points.velocity[axis].begin());
   }
   return points;
-}
-
-mpm::FluidProperties fluid_properties(const Table& table) {
-  mpm::FluidProperties p{};
-  p.state = table.choice("material") == "gas"
-                ? mpm::StiffenedGas::ideal_gas(table.number("gamma"))
-                : mpm::StiffenedGas{table.number("grueneisen"), table.quantity("p_infinity")};
-  p.shear_viscosity = table.quantity("viscosity");
-  p.energy_increment = energy_increment_of(table.choice("energy_increment"));
-  p.artificial_viscosity = {table.number("artificial_viscosity_quadratic"),
-                            table.number("artificial_viscosity_linear")};
-  return p;
 }
 
 /// Density and pressure that stand for the body where it is not uniform: the least density, and the
@@ -88,15 +78,18 @@ void choose_representative(mpm::FluidProperties& p, const std::vector<double>& d
 }
 
 mpm::Fluid fluid_of(const Table& table, const Pieces& pieces, const std::vector<double>& density) {
-  const auto pressure = values_at(table, "pressure", table.formula("pressure"), pieces.places);
-  mpm::FluidProperties properties = fluid_properties(table);
+  const auto described = table.read<SceneFluid>();
+  const auto pressure =
+      values_at(table, table.key(&SceneFluid::pressure), *described.pressure, pieces.places);
+  mpm::FluidProperties properties = described.properties();
   for (std::size_t p = 0; p < pressure.size(); ++p) {
     if (pressure[p] + properties.state.p_infinity > 0) continue;
     const Vector3d& x = pieces.places[p];
-    throw InputError(table.problem(
-        "pressure", fmt::format("{:g} Pa at ({:g}, {:g}, {:g}) m have no sound speed; needs more "
-                                "than {:g} Pa",
-                                pressure[p], x.x(), x.y(), x.z(), -properties.state.p_infinity)));
+    throw InputError(
+        table.problem(&SceneFluid::pressure,
+                      fmt::format("{:g} Pa at ({:g}, {:g}, {:g}) m have no sound speed; needs more "
+                                  "than {:g} Pa",
+                                  pressure[p], x.x(), x.y(), x.z(), -properties.state.p_infinity)));
   }
   choose_representative(properties, density, pressure);
   mpm::Fluid fluid(properties, static_cast<int>(density.size()));
@@ -113,64 +106,71 @@ mpm::Fluid fluid_of(const Table& table, const Pieces& pieces, const std::vector<
 }
 
 template <class Law>
-mpm::Material solid_with(const Law& law, const Table& table, const std::vector<double>& density) {
+mpm::Material solid_with(const Law& law, const SceneBody& body,
+                         const std::vector<double>& density) {
   const mpm::ElasticProperties properties{*std::min_element(density.begin(), density.end()),
-                                          table.quantity("youngs_modulus"),
-                                          table.number("poisson_ratio")};
+                                          body.youngs_modulus, body.poisson_ratio};
   mpm::Solid<Law> solid(properties, static_cast<int>(density.size()), law);
   std::copy(density.begin(), density.end(), solid.density.begin());
   return solid;
 }
 
-/// von Mises, with decohesion where the law says so.
-mpm::VonMises plasticity_of(const Table& table, const mpm::BackgroundGrid& grid) {
-  mpm::VonMises plastic = von_mises_from(table, "");
-  if (table.choice("law") == "decohesion") {
-    plastic.decohesion = decohesion_from(table, "", grid.cell_size());
-    if (table.applies("bifurcation")) {
-      plastic.decohesion->localization = localization_of(table.choice("bifurcation"));
-    }
-  }
-  return plastic;
+mpm::VonMises plasticity_of(const Table& table, const SceneBody& body,
+                            const mpm::BackgroundGrid& grid) {
+  return plastic_law(table, body.law == LawName::decohesion, grid.cell_size());
 }
 
-mpm::Material solid_of(const Table& table, const mpm::BackgroundGrid& grid,
+mpm::Material solid_of(const Table& table, const SceneBody& body, const mpm::BackgroundGrid& grid,
                        const std::vector<double>& density) {
-  const std::string& law = table.choice("law");
-  if (law == "elastic") return solid_with(mpm::Elastic{}, table, density);
-  if (law == "elastodamage") return solid_with(elastodamage_from(table, ""), table, density);
-  return solid_with(plasticity_of(table, grid), table, density);
+  switch (body.law) {
+    case LawName::elastic:
+      return solid_with(mpm::Elastic{}, body, density);
+    case LawName::elastodamage:
+      return solid_with(table.read<mpm::Elastodamage>(), body, density);
+    case LawName::von_mises:
+    case LawName::decohesion:
+      break;
+  }
+  return solid_with(plasticity_of(table, body, grid), body, density);
 }
 
-mpm::MembraneLaw membrane_law(const Table& table, const mpm::BackgroundGrid& grid) {
-  const std::string& law = table.choice("law");
-  if (law == "elastodamage") return elastodamage_from(table, "");
-  if (law != "elastic") return plasticity_of(table, grid);
-  if (table.choice("stress_update") == "increments") return mpm::IncrementalElastic{};
-  return mpm::Elastic{};
+mpm::MembraneLaw membrane_law(const Table& table, const SceneBody& body,
+                              const mpm::BackgroundGrid& grid) {
+  switch (body.law) {
+    case LawName::elastic:
+      return table.read<MembraneOptions>().elastic_law();
+    case LawName::elastodamage:
+      return table.read<mpm::Elastodamage>();
+    case LawName::von_mises:
+    case LawName::decohesion:
+      break;
+  }
+  return plasticity_of(table, body, grid);
 }
 
-double constant_density(const Table& table) {
-  const auto density = table.formula("density").constant();
+double constant_density(const Table& table, const SceneBody& body) {
+  const auto density = body.density->constant();
   if (density) return *density;
-  throw InputError(
-      table.problem("density", "a membrane or rigid body has one density; needs a constant"));
+  throw InputError(table.problem(&SceneBody::density,
+                                 "a membrane or rigid body has one density; needs a constant"));
 }
 
-mpm::Body membrane_body(const Table& table, const mpm::BackgroundGrid& grid) {
-  const WeightedSurface weighted = surface_points(table, grid);
+mpm::Body membrane_body(const Table& table, const SceneBody& body,
+                        const mpm::BackgroundGrid& grid) {
+  const WeightedSurface weighted = surface_points(table.read<BodyShape>(), grid);
   const Pieces pieces{weighted.surface.places, weighted.areas};
   check_places(table, grid, pieces);
-  const mpm::MembraneProperties properties{
-      constant_density(table), table.quantity("thickness"), table.quantity("youngs_modulus"),
-      table.number("poisson_ratio"), one_way_of(table.choice("one_way"))};
+  const auto options = table.read<MembraneOptions>();
+  const mpm::MembraneProperties properties{constant_density(table, body), body.thickness,
+                                           body.youngs_modulus, body.poisson_ratio,
+                                           options.one_way};
   std::vector<double> mass;
   for (double area : weighted.areas) {
     mass.push_back(properties.density * properties.thickness * area);
   }
   const mpm::MaterialPoints points = points_of(table, pieces, mass);
-  mpm::Membrane membrane(properties, membrane_law(table, grid),
-                         table.choice("kinematics") == "objective", points,
+  mpm::Membrane membrane(properties, membrane_law(table, body, grid),
+                         options.kinematics == MembraneKinematics::objective, points,
                          weighted.surface.triangles);
   return {table.name(), points, std::move(membrane), {}};
 }
@@ -179,26 +179,31 @@ mpm::Body membrane_body(const Table& table, const mpm::BackgroundGrid& grid) {
 
 mpm::Body scene_body(const Table& table, const mpm::BackgroundGrid& grid, const Inside& inside,
                      const Inside& cut) {
-  const std::string& material = table.choice("material");
-  if (material == "membrane") return membrane_body(table, grid);
-  const mpm::Lattice lattice = volume_points(table, grid, inside, cut);
+  const auto body = table.read<SceneBody>();
+  if (body.material == MaterialName::membrane) return membrane_body(table, body, grid);
+  const mpm::Lattice lattice = volume_points(table.read<BodyShape>(), grid, inside, cut);
   const Pieces pieces{lattice.places, lattice.volumes};
   check_places(table, grid, pieces);
-  const auto density = values_at(table, "density", table.formula("density"), pieces.places);
+  const auto density =
+      values_at(table, table.key(&SceneBody::density), *body.density, pieces.places);
   std::vector<double> mass;
   for (std::size_t p = 0; p < density.size(); ++p) mass.push_back(density[p] * pieces.sizes[p]);
   const mpm::MaterialPoints points = points_of(table, pieces, mass);
-  if (material == "rigid") {
-    const auto drive = table.choice("drive") == "nodes" ? mpm::Drive::nodes : mpm::Drive::points;
-    return {table.name(), points, mpm::Prescribed(points, constant_density(table), {}, drive), {}};
+  if (body.material == MaterialName::rigid) {
+    const mpm::Drive drive = table.read<BodyMotion>().drive;
+    return {table.name(),
+            points,
+            mpm::Prescribed(points, constant_density(table, body), {}, drive),
+            {}};
   }
-  mpm::Body body{table.name(),
-                 points,
-                 material == "solid" ? solid_of(table, grid, density)
-                                     : mpm::Material(fluid_of(table, pieces, density)),
-                 {}};
-  body.average_volume_strain = table.boolean("average_volume_strain");
-  return body;
+  mpm::Body result{table.name(),
+                   points,
+                   body.material == MaterialName::solid
+                       ? solid_of(table, body, grid, density)
+                       : mpm::Material(fluid_of(table, pieces, density)),
+                   {}};
+  result.average_volume_strain = body.average_volume_strain;
+  return result;
 }
 
 }  // namespace zona::studies

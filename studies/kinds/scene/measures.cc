@@ -1,31 +1,33 @@
 #include "studies/kinds/scene/measures.h"
 
-#include "studies/measures/measure_parameters.h"
+#include "studies/kinds/scene/body_table.h"
+#include "studies/kinds/scene/time_table.h"
+#include "studies/measures/measured_bodies.h"
 
 namespace zona::studies {
 
 namespace {
 
 Substance substance_of(const Configuration& study, const std::string& name) {
-  for (const Table& body : study.items("body")) {
-    if (body.name() != name) continue;
-    return {body.choice("material"), body.applies("law") ? body.choice("law") : ""};
-  }
-  throw MissingSetting("body");  // there is no such body, which is reported elsewhere
+  const auto body = body_of_name(study, name);
+  if (!body) throw MissingSetting("there is no such body, which is reported elsewhere");
+  const MaterialName material = body->value(&SceneBody::material);
+  if (!body->applies(&SceneBody::law)) return {material, {}};
+  return {material, body->value(&SceneBody::law)};
 }
 
-void declare_probed(Schema& schema, const std::string& key) {
-  schema.reference(key, "body").doc("The body that is probed.");
+Parameter& declare_probed(Schema& schema, const std::string& key) {
+  return schema.reference(key, body_list(schema)).doc("The body that is probed.");
 }
 
-void declare_averaged(Schema& schema, const std::string& key) {
-  schema.references(key, "body")
+Parameter& declare_averaged(Schema& schema, const std::string& key) {
+  return schema.references(key, body_list(schema))
       .auto_by_default()
       .doc("Bodies whose points are averaged together; \"auto\" takes all that are not rigid.");
 }
 
 double end_of(const Configuration& study) {
-  return study.quantity("time.end");
+  return study.value(&SceneTime::end);
 }
 
 }  // namespace

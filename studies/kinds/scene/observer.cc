@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "studies/kinds/scene/hold_table.h"
+
 namespace zona::studies {
 
 using Eigen::Vector3d;
@@ -42,7 +44,7 @@ std::vector<ValueColumn<>> SceneObserver::columns() {
   columns.push_back({"stored_energy", "J", [this] { return sum_.stored_energy; }});
   columns.push_back({"potential_energy", "J", [this] { return potential_energy_; }});
   for (std::size_t b = 0; b < totals_.size(); ++b) add_body_columns(columns, b);
-  const std::vector<Table> holds = study_.items("hold");
+  const std::vector<Table> holds = study_.items<Hold>();
   for (std::size_t h = 0; h < holds.size(); ++h)
     held_[h].add_columns(columns, "hold." + holds[h].name() + ".");
   return columns;
@@ -125,7 +127,7 @@ void SceneObserver::add_results(nlohmann::json& results) const {
   for (std::size_t b = 0; b < totals_.size(); ++b) {
     results["bodies"][solver_.bodies()[b].name] = body_results(b);
   }
-  const std::vector<Table> holds = study_.items("hold");
+  const std::vector<Table> holds = study_.items<Hold>();
   for (std::size_t h = 0; h < held_.size(); ++h) {
     const Vector3d& force = held_[h].force;
     results["holds"][holds[h].name()] = {{"force", {force.x(), force.y(), force.z()}},

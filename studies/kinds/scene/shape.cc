@@ -9,16 +9,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d vector_of(const std::vector<double>& v) {
-  return {v[0], v[1], v[2]};
-}
-
-mpm::Tube tube_of(const Table& body) {
-  const Vector3d from = vector_of(body.quantities("from"));
-  const Vector3d along = vector_of(body.quantities("to")) - from;
-  const bool solid = body.choice("shape") == "cylinder";
-  return {from, along.normalized(), along.norm(), solid ? 0 : body.quantity("inner_radius"),
-          body.quantity(solid ? "radius" : "outer_radius")};
+mpm::Tube tube_of(const BodyShape& body) {
+  const Vector3d along = body.to - body.from;
+  const bool solid = body.shape == ShapeName::cylinder;
+  return {body.from, along.normalized(), along.norm(), solid ? 0 : body.inner_radius,
+          solid ? body.radius : body.outer_radius};
 }
 
 bool contains(const mpm::Tube& tube, const Vector3d& place) {
@@ -29,77 +24,69 @@ bool contains(const mpm::Tube& tube, const Vector3d& place) {
          radius < tube.outer_radius;
 }
 
-std::array<int, 3> three(const std::vector<long>& n) {
-  return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2])};
-}
-
 /// Parts of a length that are at most a quarter of the shortest cell edge: closer than what tears
 /// (half a cell), so that nodes which the membrane only grazes still see several points.
 int intervals(double length, const mpm::BackgroundGrid& grid) {
   return std::max(1, static_cast<int>(std::ceil(4 * length / grid.cell_size().minCoeff() - 1e-9)));
 }
 
-int icosphere_level(const Table& body, double radius, const mpm::BackgroundGrid& grid) {
-  if (!body.is_auto("level")) return static_cast<int>(body.integer("level"));
-  const double edge = std::atan(2.0) * radius;  // of the icosahedron, along the sphere
+int icosphere_level(const BodyShape& body, const mpm::BackgroundGrid& grid) {
+  if (body.level) return *body.level;
+  const double edge = std::atan(2.0) * body.radius;  // of the icosahedron, along the sphere
   return std::max(0, static_cast<int>(std::ceil(std::log2(intervals(edge, grid)))));
 }
 
-mpm::TriangulatedSurface sheet_of(const Table& body, const mpm::BackgroundGrid& grid) {
-  const Vector3d u = vector_of(body.quantities("edge_u"));
-  const Vector3d v = vector_of(body.quantities("edge_v"));
-  int count[2] = {intervals(u.norm(), grid) + 1, intervals(v.norm(), grid) + 1};
-  if (!body.is_auto("sheet_points")) {
-    const std::vector<long> given = body.integers("sheet_points");
-    for (int i = 0; i < 2; ++i) count[i] = static_cast<int>(given[i]);
-  }
-  return mpm::sheet(vector_of(body.quantities("corner")), u, v, count[0], count[1]);
+mpm::TriangulatedSurface sheet_of(const BodyShape& body, const mpm::BackgroundGrid& grid) {
+  const auto [along_u, along_v] = body.sheet_points.value_or(std::array<int, 2>{
+      intervals(body.edge_u.norm(), grid) + 1, intervals(body.edge_v.norm(), grid) + 1});
+  return mpm::sheet(body.corner, body.edge_u, body.edge_v, along_u, along_v);
 }
 
-mpm::TriangulatedSurface make_surface(const Table& body, const mpm::BackgroundGrid& grid) {
-  const std::string& shape = body.choice("shape");
-  if (shape == "sheet") return sheet_of(body, grid);
-  const Vector3d center = vector_of(body.quantities("center"));
-  const double radius = body.quantity("radius");
-  if (shape == "icosphere") {
-    return mpm::icosphere(center, radius, icosphere_level(body, radius, grid));
-  }
-  const int rings =
-      body.is_auto("rings") ? intervals(radius, grid) : static_cast<int>(body.integer("rings"));
-  return mpm::disc(center, body.choice("normal")[0] - 'x', radius, rings);
+mpm::TriangulatedSurface make_surface(const BodyShape& body, const mpm::BackgroundGrid& grid) {
+  if (body.shape == ShapeName::sheet) return sheet_of(body, grid);
+  if (body.shape == ShapeName::icosphere)
+    return mpm::icosphere(body.center, body.radius, icosphere_level(body, grid));
+  const int rings = body.rings ? *body.rings : intervals(body.radius, grid);
+  return mpm::disc(body.center, body.normal, body.radius, rings);
 }
 
 /// Points of a body that is cut into equal parts whatever the cells.
-mpm::Lattice counted_points(const Table& body, const mpm::BackgroundGrid& grid) {
-  const auto count = three(body.integers("points"));
-  if (body.choice("shape") != "box") return mpm::tube(tube_of(body), count[0], count[1], count[2]);
-  const mpm::Box box = box_of(body, grid);
+mpm::Lattice counted_points(const BodyShape& body, const mpm::BackgroundGrid& grid) {
+  const auto& count = *body.points;
+  if (body.shape != ShapeName::box) return mpm::tube(tube_of(body), count[0], count[1], count[2]);
+  const mpm::Box box = body.in(grid);
   return mpm::box(box.low, box.high, count);
 }
 
 }  // namespace
 
-Inside inside_of(const Table& body, const mpm::BackgroundGrid& grid) {
-  const std::string& shape = body.choice("shape");
-  if (shape == "grid") return [](const Vector3d&) { return true; };
-  if (shape == "sheet" || shape == "disc") return [](const Vector3d&) { return false; };
-  if (shape == "box") {
-    return [box = box_of(body, grid)](const Vector3d& x) {
-      return (x.array() >= box.low.array()).all() && (x.array() < box.high.array()).all();
-    };
+Inside inside_of(const BodyShape& body, const mpm::BackgroundGrid& grid) {
+  switch (body.shape) {
+    case ShapeName::grid:
+      return [](const Vector3d&) { return true; };
+    case ShapeName::sheet:
+    case ShapeName::disc:
+      return [](const Vector3d&) { return false; };
+    case ShapeName::box:
+      return [box = body.in(grid)](const Vector3d& x) {
+        return (x.array() >= box.low.array()).all() && (x.array() < box.high.array()).all();
+      };
+    case ShapeName::cylinder:
+    case ShapeName::tube:
+      return [tube = tube_of(body)](const Vector3d& x) { return contains(tube, x); };
+    case ShapeName::sphere:
+    case ShapeName::icosphere:
+      break;
   }
-  if (shape == "cylinder" || shape == "tube") {
-    return [tube = tube_of(body)](const Vector3d& x) { return contains(tube, x); };
-  }
-  return [center = vector_of(body.quantities("center")), radius = body.quantity("radius")](
-             const Vector3d& x) { return (x - center).norm() < radius; };
+  return [center = body.center, radius = body.radius](const Vector3d& x) {
+    return (x - center).norm() < radius;
+  };
 }
 
-mpm::Lattice volume_points(const Table& body, const mpm::BackgroundGrid& grid, const Inside& inside,
-                           const Inside& cut) {
-  const bool by_cell = !body.applies("points") || body.is_auto("points");
-  if (by_cell) {
-    return mpm::fill_cells(grid, three(body.integers("points_per_cell")),
+mpm::Lattice volume_points(const BodyShape& body, const mpm::BackgroundGrid& grid,
+                           const Inside& inside, const Inside& cut) {
+  if (!body.points) {
+    return mpm::fill_cells(grid, body.points_per_cell,
                            [&](const Vector3d& x) { return inside(x) && !cut(x); });
   }
   const mpm::Lattice all = counted_points(body, grid);
@@ -110,7 +97,7 @@ mpm::Lattice volume_points(const Table& body, const mpm::BackgroundGrid& grid, c
   return kept;
 }
 
-WeightedSurface surface_points(const Table& body, const mpm::BackgroundGrid& grid) {
+WeightedSurface surface_points(const BodyShape& body, const mpm::BackgroundGrid& grid) {
   WeightedSurface result{mpm::in_walking_order(make_surface(body, grid), grid), {}};
   const auto& places = result.surface.places;
   result.areas.assign(places.size(), 0.0);
@@ -119,10 +106,6 @@ WeightedSurface surface_points(const Table& body, const mpm::BackgroundGrid& gri
     for (int vertex : {a, b, c}) result.areas[vertex] += area / 3;
   }
   return result;
-}
-
-bool is_surface(const std::string& shape) {
-  return shape == "sheet" || shape == "disc" || shape == "icosphere";
 }
 
 }  // namespace zona::studies

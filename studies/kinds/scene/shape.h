@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "mpm/bodies/lattice.h"
-#include "studies/parameters/box.h"
+#include "studies/kinds/scene/shape_table.h"
 
 namespace zona::studies {
 
@@ -12,11 +12,11 @@ using Inside = std::function<bool(const Eigen::Vector3d&)>;
 
 /// What a [[body]] encloses: its shape, the ball in an icosphere, nothing of a sheet or disc. Boxes
 /// hold their lower faces and not their upper ones, so that neighbours share no point.
-Inside inside_of(const Table& body, const mpm::BackgroundGrid& grid);
+Inside inside_of(const BodyShape& body, const mpm::BackgroundGrid& grid);
 
 /// Points of a body with a volume, without those that `cut` says yes to.
-mpm::Lattice volume_points(const Table& body, const mpm::BackgroundGrid& grid, const Inside& inside,
-                           const Inside& cut);
+mpm::Lattice volume_points(const BodyShape& body, const mpm::BackgroundGrid& grid,
+                           const Inside& inside, const Inside& cut);
 
 /// Points and triangles of a sheet, disc or icosphere, numbered as they lie in space; each point
 /// has a third of the area of the triangles around it.
@@ -24,8 +24,6 @@ struct WeightedSurface {
   mpm::TriangulatedSurface surface;
   std::vector<double> areas;  ///< [m^2]
 };
-WeightedSurface surface_points(const Table& body, const mpm::BackgroundGrid& grid);
-
-bool is_surface(const std::string& shape);
+WeightedSurface surface_points(const BodyShape& body, const mpm::BackgroundGrid& grid);
 
 }  // namespace zona::studies

@@ -53,10 +53,17 @@ const Measure& find_measure(const std::string& name) {
   return *found;
 }
 
-std::vector<std::string> measure_names() {
-  std::vector<std::string> names;
-  for (const Measure& measure : measures()) names.push_back(measure.name);
-  return names;
+Words<const Measure*> measure_words() {
+  Words<const Measure*> words;
+  for (const Measure& measure : measures()) words.push_back({measure.name.c_str(), &measure});
+  return words;
+}
+
+Words<const Measure*> measure_words(Measure::Of of) {
+  Words<const Measure*> words;
+  for (const Measure& measure : measures())
+    if (measure.of == of) words.push_back({measure.name.c_str(), &measure});
+  return words;
 }
 
 std::vector<std::string> measure_names(Measure::Of of) {

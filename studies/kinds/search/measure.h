@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/input/binding.h"
+
 namespace zona::studies::search {
 
 /// A quantity that a search minimises or keeps within limits: one of the tip's motion, which takes
@@ -31,7 +33,9 @@ const Measure& find_measure(const std::string& name);
 
 /// Names of the measures of the tip or of the oocyte.
 std::vector<std::string> measure_names(Measure::Of of);
-std::vector<std::string> measure_names();
+/// Words of a study file for all measures, or for those of tip or oocyte.
+Words<const Measure*> measure_words();
+Words<const Measure*> measure_words(Measure::Of of);
 
 /// The number in the unit that people read, to three digits and never with an exponent above one:
 /// "2065", "3.64".

@@ -6,66 +6,62 @@
 #include <cmath>
 
 #include "studies/input/units.h"
+#include "studies/kinds/piercing/motion_table.h"
 #include "studies/kinds/piercing/schema.h"
+#include "studies/kinds/search/limit_table.h"
+#include "studies/kinds/search/variable_table.h"
 
 namespace zona::studies::search {
 
 namespace {
 
-/// A bound of a limit in SI; nothing where none is given.
-void take_bound(const Table& table, const std::string& leaf, const Measure& measure, double& bound,
-                std::vector<Problem>& problems) {
-  if (table.is_auto(leaf)) return;
-  const TomlValue& value = table.study().setting(table.key(leaf)).written;
+/// A bound of a limit in SI; `otherwise` where none is given. Throws UnitError.
+double bound_of(const std::optional<TomlValue>& bound, const Measure& measure, double otherwise) {
+  if (!bound) return otherwise;
   const bool is_number =
-      value.type == TomlValue::Type::integer || value.type == TomlValue::Type::number;
-  if (measure.unit.empty() && is_number) {
-    bound = value.number;
-    return;
-  }
+      bound->type == TomlValue::Type::integer || bound->type == TomlValue::Type::number;
+  if (measure.unit.empty() && is_number) return bound->number;
   const std::string wanted =
       measure.unit.empty() ? "a number"
                            : fmt::format("a text with a unit, e.g. \"10 {}\"", measure.shown_unit);
-  try {
-    if (measure.unit.empty() || value.type != TomlValue::Type::text)
-      throw UnitError(fmt::format("{} does not fit {}; needs {}", printable(value.written()),
-                                  measure.name, wanted));
-    bound = parse_quantity(value.text, measure.unit);
-  } catch (const UnitError& error) {
-    problems.push_back(table.problem(leaf, error.what()));
-  }
+  if (measure.unit.empty() || bound->type != TomlValue::Type::text)
+    throw UnitError(fmt::format("{} does not fit {}; needs {}", printable(bound->written()),
+                                measure.name, wanted));
+  return parse_quantity(bound->text, measure.unit);
 }
 
 std::vector<Limit> limits_from(const Configuration& search) {
   std::vector<Limit> limits;
   std::vector<Problem> problems;
-  for (const Table& table : search.items("limit")) {
-    Limit limit{&find_measure(table.choice("measure"))};
-    take_bound(table, "at_least", *limit.measure, limit.least, problems);
-    take_bound(table, "at_most", *limit.measure, limit.most, problems);
+  for (const Table& table : search.items<LimitTable>()) {
+    const auto written = table.read<LimitTable>();
+    Limit limit{written.measure};
+    const auto take = [&](std::optional<TomlValue> LimitTable::*member, double& bound) {
+      try {
+        bound = bound_of(written.*member, *limit.measure, bound);
+      } catch (const UnitError& error) {
+        problems.push_back(table.problem(member, error.what()));
+      }
+    };
+    take(&LimitTable::at_least, limit.least);
+    take(&LimitTable::at_most, limit.most);
     if (problems.empty() && !(limit.least <= limit.most))
-      problems.push_back(table.problem("at_least", "is more than at_most; nothing fits between"));
+      problems.push_back(
+          table.problem(&LimitTable::at_least, "is more than at_most; nothing fits between"));
     limits.push_back(limit);
   }
   if (!problems.empty()) throw InputError(problems);
   return limits;
 }
 
-std::vector<const Measure*> measures_from(const Configuration& search, const std::string& key) {
-  std::vector<const Measure*> found;
-  for (const std::string& name : search.texts(key)) found.push_back(&find_measure(name));
-  return found;
-}
-
 Configuration base_from(const Configuration& search) {
-  Configuration base = load_reference(search.path("search.study"));
-  const std::string& drive = base.choice("motion.kind");
-  if (drive == "beam") return base;
+  Configuration base = load_reference(search.value(&SearchTable::study_file));
+  if (base.value(&Motion::kind) == MotionKind::beam) return base;
+  const std::string key = base.key(&Motion::kind);
   throw InputError(search.problem(
-      "search.study",
-      fmt::format("{} moves its tip by motion.kind = \"{}\"; needs a piercing study with "
-                  "motion.kind = \"beam\"",
-                  base.file().filename().string(), drive)));
+      &SearchTable::study_file,
+      fmt::format("{0} moves its tip by {1} = \"{2}\"; needs a piercing study with {1} = \"beam\"",
+                  base.file().filename().string(), key, base.text(key))));
 }
 
 void check_apart(const Configuration& search, const Plan& plan) {
@@ -73,12 +69,13 @@ void check_apart(const Configuration& search, const Plan& plan) {
   for (std::size_t i = 0; i < plan.uncertain.size(); ++i)
     for (const Dimension& variable : plan.variables)
       if (variable.key == plan.uncertain[i].key)
-        problems.push_back(search.items("uncertain")[i].problem(
-            "key", "is a variable, too; a key is either chosen or uncertain"));
+        problems.push_back(search.items<Uncertain>()[i].problem(
+            static_cast<std::string Uncertain::*>(&Varied::key),
+            "is a variable, too; a key is either chosen or uncertain"));
   const std::size_t count = combinations(plan.variables).size();
   if (plan.candidates < count)
     problems.push_back(search.problem(
-        "search.candidates",
+        &SearchTable::candidates,
         fmt::format("{} are fewer than the {} combinations of listed values, of each of which at "
                     "least one goes on; needs at least {}",
                     plan.candidates, count, count)));
@@ -119,27 +116,9 @@ Configuration Plan::study(const Overrides& overrides) const {
 }
 
 Plan plan_from(const Configuration& search) {
-  const auto count = [&](const char* key) { return static_cast<std::size_t>(search.integer(key)); };
-  Plan plan{
-      base_from(search),
-      {},
-      {},
-      measures_from(search, "search.tip_objectives"),
-      measures_from(search, "search.objectives"),
-      limits_from(search),
-      count("search.samples"),
-      search.integer("search.evaluations"),
-      static_cast<int>(search.integer("search.divisions")),
-      count("search.candidates"),
-      count("search.refinements"),
-      search.is_auto("search.finalists") ? count("search.candidates") : count("search.finalists"),
-      count("search.uncertainty_samples"),
-      search.number("search.confidence"),
-      search.boolean("search.derivatives"),
-      search.texts("search.avoid"),
-      static_cast<std::uint64_t>(search.integer("search.seed"))};
-  plan.variables = dimensions_from(search, "variable", plan.base);
-  plan.uncertain = dimensions_from(search, "uncertain", plan.base);
+  Plan plan{search.read<SearchTable>(), base_from(search), {}, {}, limits_from(search)};
+  plan.variables = dimensions_from<Variable>(search, plan.base);
+  plan.uncertain = dimensions_from<Uncertain>(search, plan.base);
   check_apart(search, plan);
   return plan;
 }

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <chrono>
 
+#include "studies/kinds/search/cache_table.h"
 #include "studies/kinds/search/case_store.h"
 #include "studies/kinds/search/pareto.h"
 #include "studies/kinds/search/record_files.h"
+#include "studies/parameters/fill_table.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/progress.h"
 #include "studies/run/resolved_study.h"
@@ -49,10 +51,10 @@ bool is_free_of(const Configuration& study, const std::vector<std::string>& avoi
   const auto avoided = [&](const std::string& fluid) {
     return std::find(avoid.begin(), avoid.end(), fluid) != avoid.end();
   };
-  const auto columns = study.items("column");
-  return !avoided(study.text("fill.fluid")) &&
+  const auto columns = study.read_all<FluidColumn>();
+  return !avoided(study.value(&Fill::fluid).text) &&
          std::none_of(columns.begin(), columns.end(),
-                      [&](const Table& column) { return avoided(column.text("fluid")); });
+                      [&](const FluidColumn& column) { return avoided(column.fluid.text); });
 }
 
 /// The listed values in words, and a number where a combination has several designs.
@@ -64,14 +66,16 @@ std::string label_of(const Plan& plan, const Design& design, int number) {
   return fmt::format("{} {}", label.empty() ? "design" : label, number);
 }
 
+std::filesystem::path folder_of_cases(const Configuration& study, const Session& session) {
+  const std::string cache = study.value(&Cache::folder);
+  return cache.empty() ? session.directory.file("cases") : std::filesystem::path(cache);
+}
+
 /// A search while it runs.
 class SearchRun {
  public:
   SearchRun(const Configuration& study, Session& session)
-      : session_(session),
-        store_(study.text("run.cache").empty() ? session.directory.file("cases")
-                                               : std::filesystem::path(study.text("run.cache"))),
-        record_{plan_from(study)} {
+      : session_(session), store_(folder_of_cases(study, session)), record_{plan_from(study)} {
     record_.samples = samples_of(plan_);
   }
 
@@ -168,7 +172,7 @@ std::vector<std::size_t> SearchRun::starts() const {
     const bool is_first = std::none_of(best.begin(), best.end(), [&](std::size_t other) {
       return designs_[other].combination == designs_[i].combination;
     });
-    if (is_first && best.size() < plan_.finalists) best.push_back(i);
+    if (is_first && best.size() < plan_.finalist_count()) best.push_back(i);
   }
   return best;
 }
@@ -195,7 +199,7 @@ void SearchRun::refine_candidates() {
 
 void SearchRun::pierce_finalists() {
   record_.finalists = nominal_order(plan_, record_.candidates);
-  record_.finalists.resize(std::min(record_.finalists.size(), plan_.finalists));
+  record_.finalists.resize(std::min(record_.finalists.size(), plan_.finalist_count()));
   if (record_.samples.empty())
     record_.samples.push_back({});  // nothing is uncertain: the base's inputs
   std::vector<Configuration> studies;
@@ -274,11 +278,11 @@ SearchSize size_of(const Plan& plan) {
   const double ends = plan.derivatives ? 4 * static_cast<double>(plan.uncertain.size()) : 0;
   const auto refined =
       ranges == 0 ? 0
-                  : static_cast<double>(
-                        plan.refinements *
-                        std::min<std::size_t>(plan.finalists, combinations(plan.variables).size()));
+                  : static_cast<double>(plan.refinements *
+                                        std::min<std::size_t>(plan.finalist_count(),
+                                                              combinations(plan.variables).size()));
   return {beams, 1 + static_cast<double>(plan.candidates) + refined +
-                     samples * (1 + static_cast<double>(plan.finalists)) + ends};
+                     samples * (1 + static_cast<double>(plan.finalist_count())) + ends};
 }
 
 }  // namespace zona::studies::search

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <type_traits>
 
 #include "studies/input/interpret.h"
 #include "studies/input/units.h"
+#include "studies/kinds/search/variable_table.h"
 
 namespace zona::studies::search {
 
@@ -23,30 +25,31 @@ std::string unit_of(const TomlValue& value) {
   return first == std::string::npos ? "" : unit.substr(first);
 }
 
-/// Gathers what is wrong with the tables of a list.
+/// Reads a table that is bound to T, a Varied; gathers what is wrong with it.
+template <class T>
 class Reader {
  public:
   Reader(const Table& table, const Configuration& base, std::vector<Problem>& problems)
-      : table_(table), base_(base), problems_(problems) {}
+      : table_(table), varied_(table.read<T>()), base_(base), problems_(problems) {}
 
   Dimension read() {
     Dimension dimension;
     dimension.name = table_.name();
-    dimension.key = table_.text("key");
-    dimension.is_logarithmic = table_.choice("scale") == "logarithmic";
-    if (table_.applies("source")) dimension.source = table_.text("source");
+    dimension.key = varied_.key;
+    dimension.is_logarithmic = varied_.scale == Scale::logarithmic;
+    if constexpr (std::is_same_v<T, Uncertain>) dimension.source = varied_.source;
     const Parameter* parameter = base_.schema().find(dimension.key);
     if (parameter == nullptr || parameter->is_list || !base_.applies(dimension.key)) {
-      complain("key", fmt::format("\"{}\" is no key with one value of the {} study {}; \"zona "
-                                  "help {}\" lists them",
-                                  printable(dimension.key), base_.kind(),
-                                  base_.file().filename().string(), base_.kind()));
+      complain(&Varied::key,
+               fmt::format("\"{}\" is no key with one value of the {} study {}; \"zona "
+                           "help {}\" lists them",
+                           printable(dimension.key), base_.kind(), base_.file().filename().string(),
+                           base_.kind()));
       return dimension;
     }
-    const auto& range = items("range");
-    const bool has_list = !items("values").empty();
-    if (has_list == !range.empty()) {
-      complain(has_list ? "values" : "range",
+    const bool has_list = !varied_.values.empty();
+    if (has_list == !varied_.range.empty()) {
+      complain(has_list ? &Varied::values : &Varied::range,
                "needs either values = [...] or range = [lowest, highest]");
     } else if (has_list) {
       take_list(dimension, *parameter);
@@ -57,44 +60,43 @@ class Reader {
   }
 
  private:
-  const std::vector<TomlValue>& items(const std::string& leaf) const {
-    return table_.study().setting(table_.key(leaf)).written.items;
-  }
-
-  void complain(const std::string& leaf, const std::string& message) {
-    problems_.push_back(table_.problem(leaf, message));
+  template <class M>
+  void complain(M Varied::*member, const std::string& message) {
+    problems_.push_back(table_.problem(static_cast<M T::*>(member), message));
   }
 
   /// The value in SI, or a complaint.
-  double interpreted(const Parameter& parameter, const TomlValue& value, const std::string& leaf) {
+  double interpreted(const Parameter& parameter, const TomlValue& value,
+                     std::vector<TomlValue> Varied::*member) {
     std::vector<std::string> messages;
     const Setting setting = interpret(parameter, value, messages);
-    for (const std::string& message : messages) complain(leaf, message);
+    for (const std::string& message : messages) complain(member, message);
     return setting.numbers.empty() ? 0 : setting.numbers.front();
   }
 
   void take_list(Dimension& dimension, const Parameter& parameter) {
-    for (const TomlValue& value : items("values")) {
-      interpreted(parameter, value, "values");
+    for (const TomlValue& value : varied_.values) {
+      interpreted(parameter, value, &Varied::values);
       dimension.values.push_back(value.written());
     }
   }
 
   void take_range(Dimension& dimension, const Parameter& parameter) {
-    const auto& range = items("range");
+    const auto& range = varied_.range;
     const bool is_number =
         parameter.kind == Parameter::Kind::quantity || parameter.kind == Parameter::Kind::number;
     if (!is_number || range.size() != 2) {
-      complain("range", is_number ? "needs two values, the lowest and the highest"
-                                  : "is for quantities and numbers; list the values instead");
+      complain(&Varied::range, is_number
+                                   ? "needs two values, the lowest and the highest"
+                                   : "is for quantities and numbers; list the values instead");
       return;
     }
-    const double low = interpreted(parameter, range[0], "range");
-    const double high = interpreted(parameter, range[1], "range");
+    const double low = interpreted(parameter, range[0], &Varied::range);
+    const double high = interpreted(parameter, range[1], &Varied::range);
     if (!(low < high) || (dimension.is_logarithmic && !(low > 0))) {
-      complain("range", dimension.is_logarithmic
-                            ? "needs a lowest value above zero and a greater highest one"
-                            : "needs a lowest and a greater highest value");
+      complain(&Varied::range, dimension.is_logarithmic
+                                   ? "needs a lowest value above zero and a greater highest one"
+                                   : "needs a lowest and a greater highest value");
       return;
     }
     try {
@@ -105,11 +107,12 @@ class Reader {
       dimension.low = low / one;
       dimension.high = high / one;
     } catch (const UnitError&) {
-      complain("range", "needs numbers with units, not names; list names as values");
+      complain(&Varied::range, "needs numbers with units, not names; list names as values");
     }
   }
 
   const Table& table_;
+  T varied_;
   const Configuration& base_;
   std::vector<Problem>& problems_;
 };
@@ -131,20 +134,26 @@ std::string Dimension::choose(std::size_t number) const {
   return key + "=" + values.at(number);
 }
 
-std::vector<Dimension> dimensions_from(const Configuration& search, const std::string& list,
-                                       const Configuration& base) {
+template <class T>
+std::vector<Dimension> dimensions_from(const Configuration& search, const Configuration& base) {
   std::vector<Dimension> dimensions;
   std::vector<Problem> problems;
-  for (const Table& table : search.items(list)) {
-    Dimension dimension = Reader(table, base, problems).read();
+  for (const Table& table : search.items<T>()) {
+    Dimension dimension = Reader<T>(table, base, problems).read();
     for (const Dimension& other : dimensions)
       if (other.key == dimension.key)
-        problems.push_back(table.problem("key", "is varied twice; once is enough"));
+        problems.push_back(table.problem(static_cast<std::string T::*>(&Varied::key),
+                                         "is varied twice; once is enough"));
     dimensions.push_back(std::move(dimension));
   }
   if (!problems.empty()) throw InputError(problems);
   return dimensions;
 }
+
+template std::vector<Dimension> dimensions_from<Variable>(const Configuration&,
+                                                          const Configuration&);
+template std::vector<Dimension> dimensions_from<Uncertain>(const Configuration&,
+                                                           const Configuration&);
 
 std::vector<std::vector<double>> latin_hypercube(std::size_t dimensions, std::size_t samples,
                                                  std::uint64_t seed) {

@@ -30,10 +30,10 @@ struct Dimension {
   std::string choose(std::size_t number) const;
 };
 
-/// The tables of a list of variables or uncertain inputs. Throws InputError for keys and values
-/// that `base` does not have.
-std::vector<Dimension> dimensions_from(const Configuration& search, const std::string& list,
-                                       const Configuration& base);
+/// The tables of the list of T: Variable or Uncertain. Throws InputError for keys and values that
+/// `base` does not have.
+template <class T>
+std::vector<Dimension> dimensions_from(const Configuration& search, const Configuration& base);
 
 /// `samples` points in the unit cube of `dimensions`, one in each of `samples` layers of every
 /// axis (McKay, Beckman and Conover 1979). The same for the same seed on every machine.
