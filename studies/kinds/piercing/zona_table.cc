@@ -80,19 +80,15 @@ double Zona::edge_length() const {
 }
 
 mpm::MembraneLaw zona_law(const Configuration& study, double cell) {
-  const auto options = study.read<MembraneOptions>();
   switch (study.value(&Zona::law)) {
     case ZonaLaw::elastodamage:
       return study.read<mpm::Elastodamage>();
     case ZonaLaw::elastic:
-      return options.elastic_law();
+      return study.read<MembraneOptions>().elastic_law();
     case ZonaLaw::decohesion:
       break;
   }
-  mpm::VonMises plastic = study.read<Plasticity>().law();
-  plastic.decohesion = study.read<Separation>().law(Eigen::Vector3d::Constant(cell));
-  plastic.decohesion->localization = options.bifurcation;
-  return plastic;
+  return plastic_law(study.table<Zona>(), true, Eigen::Vector3d::Constant(cell));
 }
 
 }  // namespace zona::studies
