@@ -1,6 +1,5 @@
 #pragma once
 
-#include "mpm/bodies/single_point.h"
 #include "studies/input/table_keys.h"
 #include "studies/parameters/material_words.h"
 
@@ -19,8 +18,5 @@ struct PointMaterial {
 
 /// The section [material]. Complains of what does not go together.
 void declare_material(Schema& schema);
-
-/// The point that the study describes, at rest. Throws mpm::ModelError.
-mpm::SinglePoint material_point(const Configuration& study);
 
 }  // namespace zona::studies

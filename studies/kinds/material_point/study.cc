@@ -10,6 +10,7 @@
 #include "studies/kinds/material_point/events.h"
 #include "studies/kinds/material_point/material_table.h"
 #include "studies/kinds/material_point/path_table.h"
+#include "studies/kinds/material_point/point.h"
 #include "studies/run/history_file.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/progress.h"
