@@ -9,8 +9,13 @@
 
 #include "beam/frequency/transfer_function.h"
 #include "beam/frequency/transfer_sensitivity.h"
-#include "studies/parameters/beam_parameters.h"
-#include "studies/parameters/shared_parameters.h"
+#include "studies/kinds/vibration/pulses_table.h"
+#include "studies/parameters/bath_table.h"
+#include "studies/parameters/beam_integration_table.h"
+#include "studies/parameters/beam_table.h"
+#include "studies/parameters/fill_table.h"
+#include "studies/parameters/pipette_model.h"
+#include "studies/parameters/pulse_table.h"
 
 namespace zona::studies {
 
@@ -43,31 +48,35 @@ Configuration scaled(const Configuration& study, const std::string& key, double 
 /// Quantities and numbers that stand alone in the tables that describe pipette and pulse.
 std::vector<Input> inputs_of(const Configuration& study, const VibrationCase& setup) {
   std::vector<Input> inputs;
+  const bool moves_along = study.read<Pulse>().direction().along != 0;
+  const std::string pulse = study.schema().binding<Pulse>().section;
   const auto add = [&](const std::string& key) {
     // At a right angle there is no motion along the pipette for the angle to trade with; the
     // fluid's viscosity is the case's.
-    if (key == "fill.viscosity") return;
-    if (key == "pulse.angle" && pulse_direction(study).along == 0) return;
+    if (key == study.key(&FillPlace::viscosity)) return;
+    if (key == study.key(&Pulse::angle) && !moves_along) return;
     const Parameter& parameter = *study.schema().find(key);
     const bool is_number =
         parameter.kind == Parameter::Kind::quantity || parameter.kind == Parameter::Kind::number;
     if (!is_number || parameter.is_list || study.is_auto(key)) return;
     const double value = study.setting(key).numbers.front();
     if (value == 0) return;
-    inputs.push_back({key, parameter.unit, value, key.rfind("pulse.", 0) == 0,
+    inputs.push_back({key, parameter.unit, value, key.rfind(pulse + ".", 0) == 0,
                       [&study, setup, key](double factor) {
                         return std::pair(scaled(study, key, factor), setup);
                       }});
   };
+  const Schema& schema = study.schema();
+  std::vector<std::string> sections{schema.binding<Beam>().section, schema.binding<Fills>().section,
+                                    schema.binding<FluidColumn>().section, pulse};
+  if (study.value(&Bath::model) != beam::BathModel::none)
+    sections.push_back(schema.binding<Bath>().section);
   for (const std::string& table : study.tables()) {
-    const std::string kind = table.substr(0, table.find('.'));
-    if (kind != "pipette" && kind != "fill" && kind != "column" && kind != "bath" &&
-        kind != "pulse")
-      continue;
-    if (kind == "bath" && study.choice("bath.model") == "none") continue;
+    const std::string section = table.substr(0, table.find('.'));
+    if (std::find(sections.begin(), sections.end(), section) == sections.end()) continue;
     for (const std::string& key : study.keys_of(table)) add(key);
   }
-  const auto add_own = [&](const char* key, const char* unit, bool moves_support,
+  const auto add_own = [&](const std::string& key, const char* unit, bool moves_support,
                            double& (*member)(VibrationCase&)) {
     VibrationCase own = setup;
     if (member(own) == 0) return;
@@ -78,28 +87,28 @@ std::vector<Input> inputs_of(const Configuration& study, const VibrationCase& se
            return std::pair(study, moved);
          }});
   };
-  add_own("fill.fluids", "kg/m^3", false,
+  add_own(study.key(&Fills::fluids), "kg/m^3", false,
           [](VibrationCase& c) -> double& { return c.fluid.density; });
-  add_own("fill.viscosity", "Pa s", false,
+  add_own(study.key(&FillPlace::viscosity), "Pa s", false,
           [](VibrationCase& c) -> double& { return c.fluid.viscosity; });
-  add_own("pulse.durations", "s", true,
+  add_own(study.key(&Pulses::durations), "s", true,
           [](VibrationCase& c) -> double& { return c.pulse_duration; });
   return inputs;
 }
 
 beam::BeamSystem beam_of(const Configuration& study, const VibrationCase& setup,
                          Direction direction) {
-  const beam::Pipette pipette = pipette_from(study, "pipette", setup.fluid);
+  const beam::Pipette pipette = pipette_from(study, setup.fluid);
   if (direction == Direction::along) return beam::axial_rod(pipette);
-  return study.choice("pipette.supports") == "pinned" ? beam::simply_supported(pipette)
-                                                      : beam::cantilever(pipette);
+  return study.value(&Support::supports) == Supports::pinned ? beam::simply_supported(pipette)
+                                                             : beam::cantilever(pipette);
 }
 
 /// The support's motion in a direction.
 beam::SupportMotion motion_of(const Configuration& study, const VibrationCase& setup,
                               Direction direction) {
   const beam::SupportMotion motion = support_motion(study, setup.pulse_duration);
-  const PulseDirection parts = pulse_direction(study);
+  const PulseDirection parts = study.read<Pulse>().direction();
   const double part = direction == Direction::across ? parts.across : parts.along;
   return part == 1 ? motion : beam::scaled(motion, part);
 }
@@ -269,7 +278,7 @@ SensitivityResult beam_sensitivities(const Configuration& study, const Vibration
     throw std::invalid_argument("sensitivities are taken of pulses, not of a sine");
   const beam::BeamSystem system = beam_of(study, setup, direction);
   const beam::SupportMotion motion = motion_of(study, setup, direction);
-  const beam::Sampling sampling = sampling_from(study, "time");
+  const beam::Sampling sampling = study.read<BeamIntegration>().sampling();
   const std::vector<Complex> points = beam::transform_points(sampling);
 
   SensitivityResult result;
@@ -337,7 +346,7 @@ SensitivityResult beam_response(const Configuration& study, const VibrationCase&
                                 Direction direction) {
   const beam::BeamSystem system = beam_of(study, setup, direction);
   const beam::SupportMotion motion = motion_of(study, setup, direction);
-  const beam::Sampling sampling = sampling_from(study, "time");
+  const beam::Sampling sampling = study.read<BeamIntegration>().sampling();
   const std::vector<Complex> points = beam::transform_points(sampling);
   std::vector<Complex> tip = beam::TransferFunction(system).at(points);
   const std::vector<Complex> support = beam::laplace_transform(motion, points);
