@@ -6,7 +6,7 @@
 #include "studies/bench/bench.h"
 #include "studies/program/commands.h"
 #include "studies/program/reference.h"
-#include "studies/run/version.h"
+#include "studies/run/provenance.h"
 #include "studies/verification/verify.h"
 
 namespace {
@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
   feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
 #endif
   CLI::App program("Piezo-ICSI from the voltage pulse to the pierced zona pellucida.", "zona");
-  program.set_version_flag("--version", "zona " + zona_version());
+  program.set_version_flag("--version", std::function<std::string()>(provenance));
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 done, 2 the input is wrong, 3 the run failed, 4 a check of zona verify "

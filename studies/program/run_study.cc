@@ -7,17 +7,16 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "mpm/step/instruction_set.h"
 #include "studies/input/input_error.h"
 #include "studies/kinds/study_kinds.h"
 #include "studies/program/commands.h"
 #include "studies/program/status.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/progress.h"
+#include "studies/run/provenance.h"
 #include "studies/run/resolved_study.h"
 #include "studies/run/run_directory.h"
 #include "studies/run/summary.h"
-#include "studies/run/version.h"
 #include "studies/simulation/checkpoints.h"
 
 namespace zona::studies {
@@ -97,8 +96,7 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   if (study.has("run.log_level")) {
     directory.log().set_level(spdlog::level::from_str(study.choice("run.log_level")));
   }
-  directory.log().info("zona {} ({}, {}), {} study of {}, {} threads", zona_version(),
-                       compiler_version(), mpm::instruction_set(), study.kind(),
+  directory.log().info("{}, {} study of {}, {} threads", provenance(), study.kind(),
                        study.file().string(), outcome.threads);
   nlohmann::json results = nlohmann::json::object();
   {
