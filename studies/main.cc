@@ -59,7 +59,8 @@ void add_verify(CLI::App& program, VerifyOptions& options, int& code) {
   command.add_option("--page", options.page,
                      "Write the page here, its figures beside it (default: into the directory)");
   command
-      .add_option("--threads", options.threads, "Number of threads (default: as each study says)")
+      .add_option("--threads", options.threads,
+                  "Number of threads of all runs together (default: all)")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--quiet", options.quiet, "Show no progress");
   command.callback([&] { code = with_messages([&] { return verify(options); }); });

@@ -102,6 +102,7 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   {
     Progress progress(Progress::suitable_mode(options.quiet), std::cerr);
     progress.publish_to([&](const std::string& line) { leave_status(directory, line); });
+    progress.publish_fraction_to(options.publish_fraction);
     Session session{directory, progress, results, outcome.threads, options.resume};
     carry_out(job, session, outcome);
   }
