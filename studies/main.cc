@@ -78,6 +78,8 @@ void add_bench(CLI::App& program, bench::BenchOptions& options, int& code) {
   command.add_option("--threads", options.threads, "Number of threads next to one (default: all)")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--json", options.json, "Print JSON");
+  command.add_flag("--beam", options.beam,
+                   "Instead print how exact and how fast the integrators of the beam are");
   command.callback([&] { code = with_messages([&] { return bench::run_bench(options); }); });
 }
 
