@@ -4,22 +4,20 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <condition_variable>
-#include <exception>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <thread>
 
 #include "studies/kinds/study_kinds.h"
 #include "studies/program/bundled_studies.h"
 #include "studies/program/commands.h"
 #include "studies/run/interrupt.h"
+#include "studies/run/parallel.h"
 #include "studies/run/progress.h"
 #include "studies/run/resolved_study.h"
 #include "studies/run/run_directory.h"
@@ -60,18 +58,27 @@ class FreeThreads {
  public:
   explicit FreeThreads(int count) : count_(count) {}
 
-  /// Waits until there are as many.
-  void take(int count) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return count_ >= count; });
-    count_ -= count;
-  }
+  /// Threads that are taken while it lives.
+  class Taken {
+   public:
+    /// Waits until there are as many.
+    Taken(FreeThreads& from, int count) : from_(from), taken_(count) {
+      std::unique_lock lock(from_.mutex_);
+      from_.changed_.wait(lock, [&] { return from_.count_ >= taken_; });
+      from_.count_ -= taken_;
+    }
+    ~Taken() {
+      const std::lock_guard lock(from_.mutex_);
+      from_.count_ += taken_;
+      from_.changed_.notify_all();
+    }
+    Taken(const Taken&) = delete;
+    Taken& operator=(const Taken&) = delete;
 
-  void give_back(int count) {
-    const std::lock_guard lock(mutex_);
-    count_ += count;
-    changed_.notify_one();
-  }
+   private:
+    FreeThreads& from_;
+    int taken_;
+  };
 
  private:
   std::mutex mutex_;
@@ -101,27 +108,19 @@ class SideBySide {
     }
   }
 
-  /// Throws the first failure after all runs have ended.
+  /// Throws a failure after all runs have ended.
   void run() {
-    std::vector<std::thread> workers;
-    for (const std::size_t i : longest_first()) {
+    const std::vector<std::size_t> order = longest_first();
+    parallel_for(order.size(), {threads_, 1}, [&](std::size_t place) {
+      const std::size_t i = order[place];
       const int threads = threads_of(runs_[i]);
-      free_.take(threads);
-      if (Interrupt::requested() || failed_) break;
-      workers.emplace_back([this, i, threads] {
-        omp_set_num_threads(threads);
-        try {
-          const RunReport report = compute(i, threads);
-          if (report.status != "interrupted") end(i, report);
-        } catch (...) {
-          if (!failed_.exchange(true)) failure_ = std::current_exception();
-        }
-        free_.give_back(threads);
-      });
-    }
-    for (std::thread& worker : workers) worker.join();
+      const FreeThreads::Taken taken(free_, threads);
+      if (Interrupt::requested()) return;
+      omp_set_num_threads(threads);
+      const RunReport report = compute(i, threads);
+      if (report.status != "interrupted") end(i, report);
+    });
     if (!Interrupt::requested()) progress_.finish();
-    if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
@@ -170,8 +169,6 @@ class SideBySide {
   double work_left_ = 0;
   FreeThreads free_;
   Progress progress_;
-  std::atomic<bool> failed_{false};
-  std::exception_ptr failure_;
 };
 
 }  // namespace
