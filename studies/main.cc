@@ -6,7 +6,7 @@
 #include "studies/bench/bench.h"
 #include "studies/program/commands.h"
 #include "studies/program/reference.h"
-#include "studies/run/version.h"
+#include "studies/run/provenance.h"
 #include "studies/verification/verify.h"
 
 namespace {
@@ -59,7 +59,8 @@ void add_verify(CLI::App& program, VerifyOptions& options, int& code) {
   command.add_option("--page", options.page,
                      "Write the page here, its figures beside it (default: into the directory)");
   command
-      .add_option("--threads", options.threads, "Number of threads (default: as each study says)")
+      .add_option("--threads", options.threads,
+                  "Number of threads of all runs together (default: all)")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--quiet", options.quiet, "Show no progress");
   command.callback([&] { code = with_messages([&] { return verify(options); }); });
@@ -77,6 +78,8 @@ void add_bench(CLI::App& program, bench::BenchOptions& options, int& code) {
   command.add_option("--threads", options.threads, "Number of threads next to one (default: all)")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--json", options.json, "Print JSON");
+  command.add_flag("--beam", options.beam,
+                   "Instead print how exact and how fast the integrators of the beam are");
   command.callback([&] { code = with_messages([&] { return bench::run_bench(options); }); });
 }
 
@@ -119,7 +122,7 @@ int main(int argc, char** argv) {
   feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
 #endif
   CLI::App program("Piezo-ICSI from the voltage pulse to the pierced zona pellucida.", "zona");
-  program.set_version_flag("--version", "zona " + zona_version());
+  program.set_version_flag("--version", std::function<std::string()>(provenance));
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 done, 2 the input is wrong, 3 the run failed, 4 a check of zona verify "

@@ -1,6 +1,6 @@
 # What others do with Zona: install it, move it, build on it, run its program. Steps of ctest:
 #
-#   cmake -DSTEP=install|examples|program -DBUILD=... -DSOURCE=... -DSCRATCH=... -P library.cmake
+#   cmake -DSTEP=install|examples|headers|program -DBUILD=... -DSOURCE=... -DSCRATCH=... -P library.cmake
 #
 # The prefix is moved once it is installed, so that nothing works that knows where it was.
 set(installed ${SCRATCH}/installed)
@@ -45,35 +45,36 @@ if(STEP STREQUAL install)
     refuse_trees(${file} "${text}")
   endforeach()
 
-elseif(STEP STREQUAL examples)
+elseif(STEP MATCHES "examples|headers")
   # Others need neither deal.II nor what the libraries link privately.
   foreach(unneeded deal.II SUNDIALS MPI HDF5 PkgConfig fmt)
     list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${unneeded}=ON)
   endforeach()
   set(options --fresh -G "${GENERATOR}" -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${prefix}
       "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON ${without})
-  set(folder ${SCRATCH}/examples)
-  run(${CMAKE_COMMAND} -S ${prefix}/share/zona/examples -B ${folder} ${options})
-  file(READ ${folder}/compile_commands.json commands)
-  refuse_trees("a compiler command of the examples" "${commands}")
-  run(${CMAKE_COMMAND} --build ${folder})
-
-  # All headers at once, each of which must find what it includes.
-  file(GLOB_RECURSE headers RELATIVE ${prefix}/include/zona ${prefix}/include/zona/*.h)
-  list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n")
-  list(JOIN headers "" source)
-  file(WRITE ${SCRATCH}/headers/headers.cc "${source}")
-  file(WRITE ${SCRATCH}/headers/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+  if(STEP STREQUAL examples)
+    set(folder ${SCRATCH}/examples)
+    run(${CMAKE_COMMAND} -S ${prefix}/share/zona/examples -B ${folder} ${options})
+    file(READ ${folder}/compile_commands.json commands)
+    refuse_trees("a compiler command of the examples" "${commands}")
+    run(${CMAKE_COMMAND} --build ${folder} -j 1)
+    run(${CTEST} --test-dir ${folder} --output-on-failure --no-tests=error)
+    message("${output}")
+  else()
+    # All headers at once, each of which must find what it includes.
+    file(GLOB_RECURSE headers RELATIVE ${prefix}/include/zona ${prefix}/include/zona/*.h)
+    list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n")
+    list(JOIN headers "" source)
+    file(WRITE ${SCRATCH}/headers/headers.cc "${source}")
+    file(WRITE ${SCRATCH}/headers/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
 project(headers LANGUAGES CXX)
 find_package(zona REQUIRED COMPONENTS mpm beam coupling)
 add_library(headers OBJECT headers.cc)
 target_link_libraries(headers PRIVATE zona::coupling)
 ")
-  run(${CMAKE_COMMAND} -S ${SCRATCH}/headers -B ${SCRATCH}/headers/build ${options})
-  run(${CMAKE_COMMAND} --build ${SCRATCH}/headers/build)
-
-  run(${CTEST} --test-dir ${folder} --output-on-failure --no-tests=error)
-  message("${output}")
+    run(${CMAKE_COMMAND} -S ${SCRATCH}/headers -B ${SCRATCH}/headers/build ${options})
+    run(${CMAKE_COMMAND} --build ${SCRATCH}/headers/build)
+  endif()
 
 elseif(STEP STREQUAL program)
   set(zona ${prefix}/bin/zona)

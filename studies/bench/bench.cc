@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "mpm/step/instruction_set.h"
+#include "studies/bench/integrators.h"
 #include "studies/bench/scenes.h"
 #include "studies/bench/step_model.h"
 #include "studies/bench/stream.h"
@@ -191,6 +192,7 @@ int list_scenes() {
 
 int run_bench(const BenchOptions& options) {
   if (options.list) return list_scenes();
+  if (options.beam) return print_integrators_of_the_beam();
   const std::vector<Scene> chosen = chosen_scenes(options.scenes);
   const int all = options.threads > 0 ? options.threads : omp_get_max_threads();
   const std::vector<int> threads = all > 1 ? std::vector<int>{1, all} : std::vector<int>{1};

@@ -12,6 +12,7 @@ struct BenchOptions {
   int threads = 0;                  ///< 0: all
   bool list = false;
   bool json = false;
+  bool beam = false;  ///< the integrators of the beam instead of scenes
 };
 
 /// Steps through the scenes with one and with all threads and prints where the time goes and what

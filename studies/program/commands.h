@@ -44,6 +44,7 @@ struct ComputeOptions {
   int threads = 0;  ///< 0: what the study says, or all
   bool quiet = false;
   bool resume = false;  ///< go on from the checkpoints in the directory
+  std::function<void(double fraction)> publish_fraction{};  ///< hears how far a stage is
 };
 
 /// Computes a valid study into a run directory. Whatever happens becomes the outcome, so that the

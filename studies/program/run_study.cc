@@ -7,7 +7,6 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "mpm/step/instruction_set.h"
 #include "studies/input/input_error.h"
 #include "studies/kinds/study_kinds.h"
 #include "studies/parameters/run_table.h"
@@ -15,10 +14,10 @@
 #include "studies/program/status.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/progress.h"
+#include "studies/run/provenance.h"
 #include "studies/run/resolved_study.h"
 #include "studies/run/run_directory.h"
 #include "studies/run/summary.h"
-#include "studies/run/version.h"
 #include "studies/simulation/checkpoints.h"
 
 namespace zona::studies {
@@ -98,13 +97,13 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   if (study.schema().binds<Run>()) {
     directory.log().set_level(study.value(&Run::log_level));
   }
-  directory.log().info("zona {} ({}, {}), {} study of {}, {} threads", zona_version(),
-                       compiler_version(), mpm::instruction_set(), study.kind(),
+  directory.log().info("{}, {} study of {}, {} threads", provenance(), study.kind(),
                        study.file().string(), outcome.threads);
   nlohmann::json results = nlohmann::json::object();
   {
     Progress progress(Progress::suitable_mode(options.quiet), std::cerr);
     progress.publish_to([&](const std::string& line) { leave_status(directory, line); });
+    progress.publish_fraction_to(options.publish_fraction);
     Session session{directory, progress, results, outcome.threads, options.resume};
     carry_out(job, session, outcome);
   }

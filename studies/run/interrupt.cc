@@ -1,6 +1,8 @@
 #include "studies/run/interrupt.h"
 
 #include <atomic>
+#include <csignal>
+#include <mutex>
 
 namespace zona::studies {
 
@@ -10,6 +12,11 @@ std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free,
               "a signal handler may only touch such a flag");
 
+std::mutex mutex;  ///< of what follows
+int holders = 0;
+struct sigaction old_interrupt;
+struct sigaction old_terminate;
+
 extern "C" void request_stop(int) {
   stop_requested = true;
 }
@@ -17,19 +24,23 @@ extern "C" void request_stop(int) {
 }  // namespace
 
 Interrupt::Interrupt() {
+  const std::lock_guard lock(mutex);
+  if (holders++ > 0) return;
   stop_requested = false;
   struct sigaction action = {};
   action.sa_handler = request_stop;
   // SA_RESETHAND brings back the default for the second signal.
   action.sa_flags = SA_RESETHAND | SA_RESTART;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, &old_interrupt_);
-  sigaction(SIGTERM, &action, &old_terminate_);
+  sigaction(SIGINT, &action, &old_interrupt);
+  sigaction(SIGTERM, &action, &old_terminate);
 }
 
 Interrupt::~Interrupt() {
-  sigaction(SIGINT, &old_interrupt_, nullptr);
-  sigaction(SIGTERM, &old_terminate_, nullptr);
+  const std::lock_guard lock(mutex);
+  if (--holders > 0) return;
+  sigaction(SIGINT, &old_interrupt, nullptr);
+  sigaction(SIGTERM, &old_terminate, nullptr);
 }
 
 bool Interrupt::requested() {

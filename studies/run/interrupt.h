@@ -1,11 +1,10 @@
 #pragma once
 
-#include <csignal>
-
 namespace zona::studies {
 
 /// While it lives, the first SIGINT (Ctrl-C) or SIGTERM only raises a flag, so that a run stops at
-/// its next step and writes what it has; the second ends the program at once.
+/// its next step and writes what it has; the second ends the program at once. Runs side by side may
+/// each hold one: the first takes the signals over, the last gives them back.
 class Interrupt {
  public:
   Interrupt();
@@ -15,10 +14,6 @@ class Interrupt {
 
   /// The run should stop. Cheap enough to ask every step, from any thread.
   static bool requested();
-
- private:
-  struct sigaction old_interrupt_;
-  struct sigaction old_terminate_;
 };
 
 }  // namespace zona::studies

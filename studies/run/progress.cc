@@ -49,6 +49,10 @@ void Progress::publish_to(std::function<void(const std::string& line)> publish) 
   publish_ = std::move(publish);
 }
 
+void Progress::publish_fraction_to(std::function<void(double fraction)> publish) {
+  publish_fraction_ = std::move(publish);
+}
+
 void Progress::start(const std::string& label, double total, int parts) {
   if (active_) finish();
   active_ = true;
@@ -72,9 +76,10 @@ void Progress::update(double done, double point_steps, const std::string& quanti
   updated.point_steps = point_steps;
   updated.quantities = quantities;
   const double now = clock_();
-  if (publish_ && now - published_at_ >= 2) {
+  if (now - published_at_ >= 2) {
     published_at_ = now;
-    publish_(line());
+    if (publish_) publish_(line());
+    if (publish_fraction_) publish_fraction_(fraction());
   }
   if (mode_ == Mode::quiet) return;
   const double waited = now - shown_at_;

@@ -32,6 +32,8 @@ class Progress {
 
   /// From now on also tells `publish` every two seconds how far the stage is, in every mode.
   void publish_to(std::function<void(const std::string& line)> publish);
+  /// From now on also tells `publish` every two seconds the fraction of the stage that is done.
+  void publish_fraction_to(std::function<void(double fraction)> publish);
 
   /// Begins a stage whose parts end when `update` gets `total` (simulated seconds, runs, anything).
   void start(const std::string& label, double total, int parts = 1);
@@ -66,6 +68,7 @@ class Progress {
   std::ostream& stream_;
   Clock clock_;
   std::function<void(const std::string&)> publish_;
+  std::function<void(double)> publish_fraction_;
   bool active_ = false;
   std::string label_;
   double total_ = 0;

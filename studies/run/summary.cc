@@ -1,5 +1,7 @@
 #include "studies/run/summary.h"
 
+#include "mpm/step/instruction_set.h"
+#include "studies/run/provenance.h"
 #include "studies/run/version.h"
 
 namespace zona::studies {
@@ -17,7 +19,11 @@ std::string summary_text(const Configuration& study, const RunOutcome& outcome,
   summary["cost"] = {{"wall_time", outcome.wall_time}, {"threads", outcome.threads}};
   summary["started"] = outcome.started;
   summary["zona"] = zona_version();
+  summary["commit"] = commit();
+  summary["modified"] = is_modified();
   summary["compiler"] = compiler_version();
+  summary["processor"] = processor_name();
+  summary["instruction_set"] = mpm::instruction_set();
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;  // of invalid UTF-8
   return summary.dump(2, ' ', false, replace) + "\n";
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct PlannedRun {
 struct Campaign {
   std::filesystem::path directory;  ///< runs lie in <directory>/<case>/<label>
   Extent extent;
-  int threads = 0;  ///< 0: as each study says
+  int threads = 0;  ///< of all runs together; 0: all that the machine has
   bool quiet = false;
 };
 
@@ -41,8 +42,14 @@ struct RunReport {
   std::string message;
 };
 
-/// Computes a run, or leaves it as it is when it is done. What an earlier, unfinished campaign left
-/// in its directory is replaced. Throws Interrupted.
-RunReport carry_out(const PlannedRun& run, const Campaign& campaign);
+/// Hears that a run, given by its place among all, has ended. Called from several threads at once.
+/// Returns a line for the user, or "".
+using RunEnded = std::function<std::string(std::size_t run, const RunReport& report)>;
+
+/// Computes the runs that are not done, side by side and the longest first, and tells the user how
+/// far they are. A run gets as many threads as its share of the work; one when there are many. What
+/// an earlier, unfinished campaign left in a directory is replaced. Throws Interrupted.
+void carry_out(const std::vector<PlannedRun>& runs, const Campaign& campaign,
+               const RunEnded& run_ended);
 
 }  // namespace zona::studies::verification

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <mutex>
+#include <optional>
 
 #include "studies/input/nearest.h"
 #include "studies/program/commands.h"
@@ -72,20 +74,16 @@ Check failed_run(const std::string& label, const std::string& message) {
   return {"run " + label, "none", "", "", "complete", message, Verdict::failed};
 }
 
-/// Computes what a case still lacks and compares; nothing when the user stopped it.
-CaseReport compute_case(const Case& c, const std::vector<PlannedRun>& runs,
-                        const Campaign& campaign, int& position) {
+/// What the runs of a case wrote, held against its reference.
+CaseReport judge(const Case& c, const std::vector<PlannedRun>& runs,
+                 const std::vector<RunReport>& outcomes, Extent extent) {
   CaseReport report{&c, {}, {}, {}};
   CaseResults results;
-  for (const PlannedRun& run : runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const PlannedRun& run = runs[i];
     if (run.owner != &c) continue;
-    ++position;
-    if (!run.is_done && !campaign.quiet) {
-      fmt::print(stderr, "[{}/{}] {}, {}\n", position, runs.size(), c.name, run.run.label);
-    }
-    const RunReport outcome = carry_out(run, campaign);
-    if (outcome.status != "complete") {
-      report.evaluation.checks.push_back(failed_run(run.run.label, outcome.message));
+    if (outcomes[i].status != "complete") {
+      report.evaluation.checks.push_back(failed_run(run.run.label, outcomes[i].message));
       continue;
     }
     RunResults found(run.directory);
@@ -95,11 +93,62 @@ CaseReport compute_case(const Case& c, const std::vector<PlannedRun>& runs,
   }
   if (!report.evaluation.checks.empty()) return report;
   try {
-    report.evaluation = c.evaluate(results, campaign.extent);
+    report.evaluation = c.evaluate(results, extent);
   } catch (const std::exception& error) {
     report.evaluation.checks = {failed_run("evaluation", error.what())};
   }
   return report;
+}
+
+const char* pass_or_fail(const CaseReport& report) {
+  return report.verdict() == Verdict::passed ? "pass" : "FAIL";
+}
+
+/// The cases, judged as soon as the last of their runs has ended, in any thread.
+class Judge {
+ public:
+  Judge(const std::vector<const Case*>& cases, const std::vector<PlannedRun>& runs, Extent extent)
+      : runs_(runs), extent_(extent), outcomes_(runs.size()) {
+    for (const Case* c : cases) reports_[c] = std::nullopt;
+    for (const PlannedRun& run : runs) ++runs_left_[run.owner];
+  }
+
+  /// Returns a line about the case when it was the last of its runs.
+  std::string run_ended(std::size_t run, const RunReport& outcome) {
+    const Case* c = runs_[run].owner;
+    {
+      const std::lock_guard lock(mutex_);
+      outcomes_[run] = outcome;
+      if (--runs_left_.at(c) > 0) return "";
+    }
+    reports_.at(c) = judge(*c, runs_, outcomes_, extent_);
+    return fmt::format("{}: {}", c->name, pass_or_fail(*reports_.at(c)));
+  }
+
+  /// Those that are judged, in the order of the cases.
+  std::vector<CaseReport> reports(const std::vector<const Case*>& cases) const {
+    std::vector<CaseReport> found;
+    for (const Case* c : cases) {
+      if (reports_.at(c)) found.push_back(*reports_.at(c));
+    }
+    return found;
+  }
+
+ private:
+  const std::vector<PlannedRun>& runs_;
+  Extent extent_;
+  std::mutex mutex_;  ///< of the two that follow
+  std::vector<RunReport> outcomes_;
+  std::map<const Case*, int> runs_left_;
+  std::map<const Case*, std::optional<CaseReport>> reports_;
+};
+
+void print_tables(const std::vector<CaseReport>& reports) {
+  for (const CaseReport& report : reports) {
+    fmt::print("{}: {}\n{}", report.verification_case->name, pass_or_fail(report),
+               check_table(report));
+  }
+  std::cout << std::flush;
 }
 
 void write_page(const std::vector<CaseReport>& reports, const Campaign& campaign,
@@ -128,28 +177,25 @@ int verify(const VerifyOptions& options) {
   print_plan(chosen, runs);
   if (options.list) return exit_ok;
   fs::create_directories(campaign.directory);
-  std::vector<CaseReport> reports;
-  int position = 0;
-  bool all_passed = true;
+  Judge judge(chosen, runs, extent);
   try {
-    for (const Case* c : chosen) {
-      reports.push_back(compute_case(*c, runs, campaign, position));
-      const bool passed = reports.back().verdict() == Verdict::passed;
-      all_passed = all_passed && passed;
-      fmt::print("{}: {}\n{}", c->name, passed ? "pass" : "FAIL", check_table(reports.back()));
-      std::cout << std::flush;
-    }
+    carry_out(runs, campaign, [&](std::size_t run, const RunReport& outcome) {
+      return judge.run_ended(run, outcome);
+    });
   } catch (const Interrupted&) {
+    print_tables(judge.reports(chosen));
     fmt::print(stderr, "stopped; the same command goes on from here\n");
     return exit_interrupted;
   }
+  const std::vector<CaseReport> reports = judge.reports(chosen);
+  print_tables(reports);
   write_page(reports, campaign,
              options.page.empty() ? campaign.directory / "verification.md" : options.page);
   const auto failed = std::count_if(reports.begin(), reports.end(), [](const CaseReport& report) {
     return report.verdict() == Verdict::failed;
   });
   fmt::print("{} of {} cases passed\n", reports.size() - failed, reports.size());
-  return all_passed ? exit_ok : exit_not_verified;
+  return failed == 0 ? exit_ok : exit_not_verified;
 }
 
 }  // namespace zona::studies

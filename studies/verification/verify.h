@@ -13,13 +13,13 @@ struct VerifyOptions {
   bool list = false;           ///< only list the cases and what they cost
   std::filesystem::path out;   ///< empty: runs/verification or runs/verification-quick
   std::filesystem::path page;  ///< another place for the page; empty: in `out`
-  int threads = 0;             ///< 0: as each study says
+  int threads = 0;             ///< of all runs together; 0: all that the machine has
   bool quiet = false;
 };
 
-/// Computes the verification cases that are not done yet, compares them with their references,
-/// prints the table and writes the page. Answers exit_ok, or exit_not_verified when a check fails.
-/// Throws InputError.
+/// Computes the runs of the verification cases that are not done yet, side by side, compares them
+/// with their references, prints the tables and writes the page. Answers exit_ok, or
+/// exit_not_verified when a check fails. Throws InputError.
 int verify(const VerifyOptions& options);
 
 }  // namespace zona::studies

@@ -27,8 +27,9 @@ std::vector<Injection> injections(Extent extent) {
   const std::string seeping = "body.plate.drive=\"points\"";
   const bool quick = extent == Extent::quick;
   std::vector<Injection> runs;
-  for (const double p : quick ? std::vector<double>{2.1e8, 2.4e8}
-                              : std::vector<double>{2.1e8, 2.115e8, 2.12e8, 2.2e8, 2.4e8}) {
+  // The source's sweep is only reported.
+  for (const double p :
+       quick ? std::vector<double>{} : std::vector<double>{2.1e8, 2.115e8, 2.12e8, 2.2e8, 2.4e8}) {
     runs.push_back({fmt::format("p-{:.3e}", p), p, {seeping}});
   }
   runs.push_back({"held", 2.12e8, {}});
@@ -113,8 +114,10 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
                                      "second half of the run; experiment: 7.466"));
     (of_sweep || of_averaged ? pressures : others).curves.push_back(std::move(curve));
   }
-  evaluation.checks.push_back(told("spread over P_infinity, as the source", spread(sweep), "0.41",
-                                   "(Table 5.1); of noise in pressures that lock"));
+  if (!sweep.empty()) {
+    evaluation.checks.push_back(told("spread over P_infinity, as the source", spread(sweep), "0.41",
+                                     "(Table 5.1); of noise in pressures that lock"));
+  }
   evaluation.checks.push_back(at_most(
       "spread over P_infinity, averaged volumetric strain", spread(averaged), 0.02,
       "a volume changes by p / (5 P_infinity), 1e-6 at 1 kPa: no displacement can depend on it; "

@@ -223,12 +223,32 @@ TEST_CASE("what was done before a run went on counts, but not for its speed") {
   CHECK_THAT(stream.str(), Contains("60 %  80 s left  0.5 M point-steps/s"));
 }
 
+TEST_CASE("the second of two that hold signals loses none, and the first gives them back") {
+  struct sigaction before, after;
+  sigaction(SIGINT, nullptr, &before);
+  {
+    const Interrupt outer;
+    raise(SIGINT);
+    {
+      const Interrupt inner;
+      CHECK(Interrupt::requested());
+    }
+    CHECK(Interrupt::requested());
+  }
+  sigaction(SIGINT, nullptr, &after);
+  CHECK(after.sa_handler == before.sa_handler);
+  const Interrupt next;
+  CHECK_FALSE(Interrupt::requested());
+}
+
 TEST_CASE("progress is published every two seconds, also when it is quiet") {
   std::ostringstream stream;
   double now = 0;
   std::vector<std::string> published;
+  std::vector<double> fractions;
   Progress progress(Progress::Mode::quiet, stream, [&] { return now; });
   progress.publish_to([&](const std::string& line) { published.push_back(line); });
+  progress.publish_fraction_to([&](double fraction) { fractions.push_back(fraction); });
   progress.start("water", 10);
   for (int i = 1; i <= 10; ++i) {
     now += 0.5;
@@ -236,6 +256,7 @@ TEST_CASE("progress is published every two seconds, also when it is quiet") {
   }
   REQUIRE(published.size() == 2);
   CHECK_THAT(published[1], Contains("water") && Contains("80 %  1 s left"));
+  CHECK(fractions == std::vector<double>{0.4, 0.8});
 }
 
 TEST_CASE("progress is quiet or stays on one line") {

@@ -23,13 +23,17 @@ namespace {
 
 const std::string studies = ZONA_SOURCE_DIR "/studies/";
 
-/// A lateral piercing so short that it takes a second, with points failing.
-const std::string piercing =
-    studies +
-    "piercing_lateral_quick.toml --set 'grid.cell=\"12 um\"' --set 'grid.domain=\"168 um\"'"
-    " --set zona.level=4 --set zona.elastic_limit=0.002 --set cytoplasm.points_per_cell=1"
-    " --set 'time.end=\"12 us\"'"
-    " --set 'output.fields_interval=\"2 us\"'";
+/// A small lateral piercing with points failing.
+std::string piercing_until(const std::string& end) {
+  return studies +
+         "piercing_lateral_quick.toml --set 'grid.cell=\"12 um\"' --set 'grid.domain=\"168 um\"'"
+         " --set zona.level=4 --set zona.elastic_limit=0.002 --set cytoplasm.points_per_cell=1"
+         " --set 'output.fields_interval=\"1 us\"' --set 'time.end=\"" +
+         end + "\"'";
+}
+
+/// So short that it takes half a second.
+const std::string piercing = piercing_until("6 us");
 const std::string comparison =
     studies +
     "mercury_vs_water.toml --set 'grid.cell=\"12 um\"' --set 'grid.domain=\"168 um\"'"
@@ -162,7 +166,7 @@ TEST_CASE("a run that is killed again and again comes to the same bits") {
   SECTION("a piercing") {}
   SECTION("a comparison") {
     study = comparison;
-    kills = 5;
+    kills = 4;
   }
   SECTION("a scene") {
     study = scratch.write("scene.toml", scene).string();
@@ -227,6 +231,7 @@ TEST_CASE("the status of a run is told from outside") {
 TEST_CASE("what cannot be resumed is refused with the reason, and nothing is lost") {
   const ScratchDirectory scratch;
   const auto cut = scratch.path() / "cut";
+  const std::string piercing = piercing_until("12 us");
   const std::string run = "run " + piercing + " --out " + cut.string();
   REQUIRE(run_and_signal(run + " --set run.checkpoint_steps=50", cut, SIGTERM, 0.2));
   const auto refused = [&](const std::string& arguments, int code, const std::string& reason) {

@@ -71,21 +71,54 @@ TEST_CASE("every verification case asks for valid runs, each once") {
 
 TEST_CASE("zona verify computes what is missing, and only that") {
   const ScratchDirectory scratch;
-  const std::string command = "verify pipette_frequencies --quick --out " + scratch.path();
+  const std::string command = "verify pipette_frequencies --quick --out " + scratch.path().string();
   const Answer first = call(command);
   CHECK(first.code == 0);
   CHECK_THAT(first.text, Contains("pipette_frequencies: pass") && Contains("1 of 1 cases passed"));
   CHECK_THAT(read_text(scratch / "verification.md"), Contains("| frequency 1 of Table 5.6"));
 
   const fs::path run = fs::path(scratch.path()) / "pipette_frequencies" / "elements-20";
-  const auto computed = fs::last_write_time(run / "summary.json");
+  const fs::path other = run.parent_path() / "elements-10";
+  const auto computed = [](const fs::path& of) { return fs::last_write_time(of / "study.toml"); };
+  const auto before = computed(run), other_before = computed(other);
   CHECK_THAT(call(command).text, Contains("nothing"));
-  CHECK(fs::last_write_time(run / "summary.json") == computed);
+  CHECK(computed(run) == before);
 
   std::ofstream(run / "summary.json") << "{";
   const Answer again = call(command);
   CHECK(again.code == 0);
-  CHECK_THAT(again.text, Contains("elements-20") && !Contains(", elements-10"));
+  CHECK(computed(run) != before);
+  CHECK(computed(other) == other_before);
+}
+
+TEST_CASE("zona verify finds the same with any number of threads") {
+  const ScratchDirectory scratch;
+  const auto found = [&](int threads) {
+    const std::string out = scratch / std::to_string(threads);
+    const Answer answer = call("verify stokes free_fall drifting_bar --quick --quiet --threads " +
+                               std::to_string(threads) + " --out " + out);
+    CHECK(answer.code == 0);
+    return answer.text.substr(0, answer.text.find("the page is")) +
+           read_text(out + "/drifting_bar/quadratic-40/history.csv");
+  };
+  const std::string one = found(1);
+  CHECK_THAT(one, Contains("stokes: pass") && Contains("free_fall: pass"));
+  // In the order of the list, whatever ended first.
+  CHECK(one.find("stokes: pass") < one.find("free_fall: pass"));
+  CHECK(found(3) == one);
+}
+
+TEST_CASE("Ctrl-C stops zona verify, and the same command goes on") {
+  const ScratchDirectory scratch;
+  const std::string out = scratch / "out";
+  const std::string command = "verify vortex --quick --quiet --threads 2 --out " + out;
+  const Answer stopped =
+      run_command("(" ZONA_PROGRAM " " + command + " & p=$!; for i in $(seq 1200); do ls " + out +
+                  "/vortex/*/study.toml > /dev/null 2>&1 && break; sleep 0.05; "
+                  "done; kill -INT $p; wait $p)");
+  CHECK(stopped.code == 130);
+  CHECK_THAT(stopped.text, Contains("the same command goes on from here"));
+  CHECK(call(command).code == 0);
 }
 
 TEST_CASE("zona verify explains what it does not know, and lists what it knows") {

@@ -30,7 +30,7 @@ const char* const kReference = R"(
 study = "piercing"
 [motion]
 kind = "beam"
-window_length = "2 us"
+window_length = "1 us"
 auto_fraction = 0.4
 [fill]
 fluid = "mercury"
@@ -80,7 +80,7 @@ range = ["3 kPa", "23 kPa"]
 source = "published values"
 [[limit]]
 measure = "tip_travel"
-at_least = "0.5 um"
+at_least = "0.25 um"
 )";
 
 /// Reference and search in a folder of their own.
@@ -193,7 +193,7 @@ TEST_CASE("quantiles and rank correlations are those of the textbook") {
 TEST_CASE("the optimiser finds the reference among pulses") {
   // The only design that moves as the reference does for long is the reference.
   std::string reference = kReference;
-  reference.replace(reference.find("2 us"), 4, "300 us");
+  reference.replace(reference.find("1 us"), 4, "300 us");
   const Files files(R"(
 study = "search"
 [search]
@@ -377,7 +377,7 @@ TEST_CASE("a search ranks designs, and what it has computed is not computed agai
   int ranked = 0;
   for (const auto& candidate : results["candidates"]) {
     CHECK(candidate["nominal"]["failed_area"].get<double>() >= 0);
-    CHECK(candidate["nominal"]["tip_travel"].get<double>() >= 0.5e-6);
+    CHECK(candidate["nominal"]["tip_travel"].get<double>() >= 0.25e-6);
     if (candidate.contains("rank")) ++ranked;
   }
   CHECK(ranked == 2);
@@ -465,9 +465,9 @@ TEST_CASE("what is wrong with a search is said at its key") {
              Contains("2 combinations"));
   CHECK_THAT(trouble_of("finalists = 2", "finalists = 5"), Contains("among the candidates"));
   CHECK_THAT(trouble_of("refinements = 3", "refinements = -1"), Contains("search.refinements"));
-  CHECK_THAT(trouble_of("at_least = \"0.5 um\"", ""), Contains("at_most"));
-  CHECK_THAT(trouble_of("\"0.5 um\"", "0.5"), Contains("unit"));
-  CHECK_THAT(trouble_of("\"0.5 um\"", "\"0.5 kg\""), Contains("at_least"));
+  CHECK_THAT(trouble_of("at_least = \"0.25 um\"", ""), Contains("at_most"));
+  CHECK_THAT(trouble_of("\"0.25 um\"", "0.25"), Contains("unit"));
+  CHECK_THAT(trouble_of("\"0.25 um\"", "\"0.25 kg\""), Contains("at_least"));
   CHECK_THAT(trouble_of("\"tip_travel\"", "\"tip_travels\""), Contains("tip_travel"));
   CHECK_THAT(trouble_of("reference.toml", "missing.toml"), Contains("missing.toml"));
   CHECK_THAT(
@@ -479,7 +479,7 @@ TEST_CASE("what is wrong with a search is said at its key") {
 
 TEST_CASE("a search that finds nothing within the limits of the tip says so") {
   std::string text = kSearch;
-  text.replace(text.find("\"0.5 um\""), 8, "\"90 um\"");
+  text.replace(text.find("\"0.25 um\""), 9, "\"90 um\"");
   const Files files(text);
   const Answer answer = call("run " + files.file() + " --quiet --out " + files.path("o").string());
   CHECK(answer.code == 3);
