@@ -11,18 +11,19 @@ using namespace zona::beam;
 
 namespace {
 
-const Sampling kRun{5e-3, 0.6e-6};
-const int kLevels[] = {20, 40, 80, 160};
+const Sampling run_sampling{5e-3, 0.6e-6};
+const int mesh_levels[] = {20, 40, 80, 160};
 
 double exact_ratio(const test::PulseCase& pulse_case) {
   const ExactCantilever exact(uniform_beam(test::pipette_with(pulse_case.fluid)), 1000);
-  return amplitude_ratio(exact.tip_history(triangular_pulse(1, pulse_case.duration), kRun), 1);
+  return amplitude_ratio(exact.tip_history(triangular_pulse(1, pulse_case.duration), run_sampling),
+                         1);
 }
 
 double ratio(const test::PulseCase& pulse_case, int elements, const Integrator& integrator) {
   const BeamSystem system = cantilever(test::pipette_with(pulse_case.fluid, elements));
   const auto pulse = triangular_pulse(1, pulse_case.duration);
-  return amplitude_ratio(integrate(system, pulse, kRun, integrator), 1);
+  return amplitude_ratio(integrate(system, pulse, run_sampling, integrator), 1);
 }
 
 std::string start_of_row(const test::PulseCase& pulse_case, double exact) {
@@ -74,7 +75,7 @@ TEST_CASE("table of the convergence with elements", "[.][tables]") {
     const double exact = exact_ratio(pulse_case);
     std::string row = start_of_row(pulse_case, exact);
     for (int level = 0; level < 4; ++level) {
-      const double error = ratio(pulse_case, kLevels[level], Modal{}) - exact;
+      const double error = ratio(pulse_case, mesh_levels[level], Modal{}) - exact;
       errors[level].add(error);
       row += fmt::format(" {:+.4f} |", error);
     }
@@ -89,7 +90,7 @@ TEST_CASE("table of Newmark's errors with elements and steps", "[.][tables]") {
   fmt::print("| step | 20 | 40 | 80 | 160 |\n| --- | --: | --: | --: | --: |\n");
   for (const int substeps : {1, 4, 16}) {
     std::string row = fmt::format("| {:.4g} us |", 0.6 / substeps);
-    for (const int elements : kLevels) {
+    for (const int elements : mesh_levels) {
       Errors errors;
       for (const auto& pulse_case : test::figure_5_28())
         errors.add(ratio(pulse_case, elements, Newmark{substeps}) - exact_ratio(pulse_case));
