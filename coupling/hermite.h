@@ -2,21 +2,22 @@
 
 namespace zona::coupling {
 
-/// A sample of a function of time, and of its derivative.
-struct Sample {
+/// Value and slope of a function at a time.
+struct HermitePoint {
   double time;   ///< [s]
   double value;  ///< [m]
   double slope;  ///< [m/s]
 };
 
-/// Value and slope at `time` of the cubic through two samples with their slopes, exact at both
-/// ends.
-inline Sample hermite_cubic(const Sample& left, const Sample& right, double time) {
+/// Value and slope at `time` [s] of the cubic through the values and slopes of two points; exact at
+/// both.
+inline HermitePoint hermite_cubic(const HermitePoint& left, const HermitePoint& right,
+                                  double time) {
   const double step = right.time - left.time;
   const double s = (time - left.time) / step;
   const double r = (right.time - time) / step;
   const double secant = (right.value - left.value) / step;
-  // Linear interpolation plus what the slopes add to it.
+  // Linear interpolation plus a correction by the slopes.
   const double left_excess = left.slope - secant;
   const double right_excess = right.slope - secant;
   return {time,

@@ -11,9 +11,10 @@ namespace zona::coupling {
 
 namespace {
 
-struct Scalar {
-  double displacement;
-  double velocity;
+/// Motion along an axis.
+struct AxialState {
+  double displacement;  ///< [m]
+  double velocity;      ///< [m/s]
 };
 
 void check(const char* motion, const char* length_name, double length, const char* time_name,
@@ -28,13 +29,14 @@ void check(const char* motion, const char* length_name, double length, const cha
     throw std::invalid_argument(fmt::format("{}: ramp {} s must not be negative", motion, ramp));
 }
 
-/// The motion along `axis` of `path` (displacement and velocity at a time), softened by the ramp.
+/// Motion along `axis` that path(time) gives as AxialState, with the ramp applied.
 template <class Path>
 mpm::RigidMotion along(const Eigen::Vector3d& axis, double ramp_duration, Path path) {
   return [axis = unit_axis(axis), ramp_duration, path](double time) {
     if (!(time >= 0))
-      throw std::out_of_range(fmt::format("the prescribed motion begins at 0, not at {} s", time));
-    const Scalar plain = path(time);
+      throw std::out_of_range(
+          fmt::format("a prescribed motion starts at 0 s and cannot be evaluated at {} s", time));
+    const AxialState plain = path(time);
     const Ramp ramp = smooth_ramp(time, ramp_duration);
     return mpm::RigidState{ramp.value * plain.displacement * axis,
                            (ramp.slope * plain.displacement + ramp.value * plain.velocity) * axis};
@@ -55,8 +57,8 @@ mpm::RigidMotion rigid_motion(const SineMotion& sine) {
   check("sine", "amplitude", sine.amplitude, "period", sine.period, sine.ramp);
   const double frequency = 2 * M_PI / sine.period;
   return along(sine.axis, sine.ramp, [amplitude = sine.amplitude, frequency](double time) {
-    return Scalar{amplitude * std::sin(frequency * time),
-                  amplitude * frequency * std::cos(frequency * time)};
+    return AxialState{amplitude * std::sin(frequency * time),
+                      amplitude * frequency * std::cos(frequency * time)};
   });
 }
 
@@ -64,7 +66,7 @@ mpm::RigidMotion rigid_motion(const TrianglePulse& pulse) {
   check("triangle", "peak", pulse.peak, "duration", pulse.duration, pulse.ramp);
   const double half = pulse.duration / 2;
   return along(pulse.axis, pulse.ramp,
-               [peak = pulse.peak, half, end = pulse.duration](double time) -> Scalar {
+               [peak = pulse.peak, half, end = pulse.duration](double time) -> AxialState {
                  const double speed = peak / half;
                  if (time < half) return {speed * time, speed};
                  if (time < end) return {speed * (end - time), -speed};

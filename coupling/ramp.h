@@ -2,14 +2,14 @@
 
 namespace zona::coupling {
 
-/// A factor that multiplies a displacement, and its derivative.
+/// A factor of a displacement and its derivative.
 struct Ramp {
   double value;  ///< [-]
   double slope;  ///< [1/s]
 };
 
-/// Smooth start: s^2 (3 - 2 s) with s = time / duration, rising from 0 to 1 with zero slope at both
-/// ends, then 1. A duration of zero means no ramp. Both in [s]; `time` is not negative.
+/// Smooth start: s^2 (3 - 2 s) with s = time / duration rises from 0 to 1 with zero slope at both
+/// ends and stays 1. A duration of zero means no ramp. Times in [s]; `time` must not be negative.
 inline Ramp smooth_ramp(double time, double duration) {
   if (time >= duration) return {1, 0};
   const double s = time / duration;

@@ -17,10 +17,10 @@ namespace zona::coupling {
 
 namespace {
 
-/// Relative to the window's length: what sums of time steps may be off by.
+/// Tolerance for sums of time steps, relative to the length of the window.
 constexpr double rounding = 1e-9;
 
-Sample interpolate(const beam::TipHistory& tip, double at) {
+HermitePoint interpolate(const beam::TipHistory& tip, double at) {
   const std::vector<double>& time = tip.time;
   const auto after = std::upper_bound(time.begin() + 1, time.end() - 1, at);
   const auto right = static_cast<std::size_t>(after - time.begin());
@@ -29,8 +29,8 @@ Sample interpolate(const beam::TipHistory& tip, double at) {
                        {time[right], tip.displacement[right], tip.velocity[right]}, at);
 }
 
-/// The history with velocities, and nothing else that may be missing.
-beam::TipHistory prepared(beam::TipHistory history) {
+/// The history with missing columns filled in.
+beam::TipHistory completed(beam::TipHistory history) {
   complete_tip_history(history, "tip history");
   return history;
 }
@@ -46,7 +46,7 @@ void check_options(const TipMotionOptions& options) {
         fmt::format("tip motion: window length {} s must be positive", *options.length));
 }
 
-/// A tip's motion: histories along directions of length one.
+/// Displacement of a tip: sum of histories along unit axes.
 template <class Part>
 Eigen::Vector3d displacement_at(const std::vector<Part>& parts, double time) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -54,8 +54,8 @@ Eigen::Vector3d displacement_at(const std::vector<Part>& parts, double time) {
   return sum;
 }
 
-/// The first instant at which a tip has departed from its place at `first` by a fraction of its
-/// largest departure at any of the samples until `last`.
+/// First time at which the tip's distance from its place at `first` reaches a fraction of the
+/// largest distance at any sample until `last`.
 template <class Part>
 double onset(const std::vector<Part>& parts, double first, double last, double fraction) {
   if (!(fraction > 0 && fraction < 1))
@@ -94,7 +94,7 @@ void check_window(double start, double length, double first, double last) {
 }  // namespace
 
 double onset_of_motion(const beam::TipHistory& history, double fraction) {
-  const std::vector<DirectedHistory> only{{prepared(history), Eigen::Vector3d::UnitX()}};
+  const std::vector<DirectedHistory> only{{completed(history), Eigen::Vector3d::UnitX()}};
   const std::vector<double>& time = only.front().history.time;
   return onset(only, time.front(), time.back(), fraction);
 }
@@ -110,7 +110,7 @@ TipMotion::TipMotion(std::vector<DirectedHistory> histories, const TipMotionOpti
     : scale_(options.scale), ramp_(options.ramp) {
   check_options(options);
   for (DirectedHistory& directed : histories)
-    parts_.push_back({prepared(std::move(directed.history)), unit_axis(directed.axis), 0});
+    parts_.push_back({completed(std::move(directed.history)), unit_axis(directed.axis), 0});
   double first = parts_.front().history.time.front(), last = parts_.front().history.time.back();
   for (const Part& part : parts_) {
     first = std::max(first, part.history.time.front());
@@ -124,15 +124,15 @@ TipMotion::TipMotion(std::vector<DirectedHistory> histories, const TipMotionOpti
 
 mpm::RigidState TipMotion::operator()(double time) const {
   if (!(time >= -rounding * length_ && time <= (1 + rounding) * length_))
-    throw std::out_of_range(
-        fmt::format("tip motion: asked at {} s, the window is {} s long ({} s to {} s of the "
-                    "history); lengthen the window or end the run earlier",
-                    time, length_, start_, start_ + length_));
+    throw std::out_of_range(fmt::format(
+        "tip motion: evaluated at {} s, but the window is {} s long ({} s to {} s of the "
+        "history); lengthen the window or end the run earlier",
+        time, length_, start_, start_ + length_));
   const double inside = std::clamp(time, 0.0, length_);
   const Ramp ramp = smooth_ramp(inside, ramp_);
   const auto state_of = [&](const Part& part) -> mpm::RigidState {
     const double at = std::min(start_ + inside, part.history.time.back());
-    const Sample tip = interpolate(part.history, at);
+    const HermitePoint tip = interpolate(part.history, at);
     const double moved = scale_ * (tip.value - part.offset);
     return {ramp.value * moved * part.axis,
             (ramp.slope * moved + ramp.value * scale_ * tip.slope) * part.axis};

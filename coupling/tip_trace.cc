@@ -30,7 +30,7 @@ constexpr std::array<Quantity, 5> quantities{{{"time", "s", &TipHistory::time},
 
 void check_times(const std::vector<double>& time, const std::string& name) {
   if (time.size() < 3)
-    throw TraceError(name, 0, 0, fmt::format("{} samples; at least 3 are wanted", time.size()));
+    throw TraceError(name, 0, 0, fmt::format("{} samples; at least 3 are needed", time.size()));
   for (std::size_t i = 1; i < time.size(); ++i)
     if (!(time[i] > time[i - 1]))
       throw TraceError(
@@ -96,9 +96,9 @@ TipHistory read_tip_trace_hdf5(const std::string& path) {
   TipHistory history;
   for (const Quantity& quantity : quantities) {
     const std::string dataset = std::string("/") + quantity.name;
-    const bool wanted =
+    const bool required =
         quantity.samples == &TipHistory::time || quantity.samples == &TipHistory::displacement;
-    if (wanted || file.contains(dataset)) history.*quantity.samples = file.read<double>(dataset);
+    if (required || file.contains(dataset)) history.*quantity.samples = file.read<double>(dataset);
   }
   complete_tip_history(history, path);
   return history;
@@ -116,8 +116,8 @@ void write_tip_trace_hdf5(const TipHistory& history, const std::string& path) {
 }
 
 bool is_hdf5_trace(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  return ending == ".h5" || ending == ".hdf5";
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".h5" || extension == ".hdf5";
 }
 
 TipHistory read_tip_trace(const std::string& path) {

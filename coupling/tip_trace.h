@@ -9,17 +9,17 @@
 
 namespace zona::coupling {
 
-/// A trace of the tip's motion that cannot be read, or not be used. `what()` reads
-/// "file:line:column: problem"; line and column count from 1, in bytes, and are 0 (and left
-/// out) where the problem has no place.
+/// A trace of the tip's motion that cannot be read or used. `what()` reads
+/// "file:line:column: problem"; line and column count from 1, columns in bytes. They are 0, and
+/// omitted from the text, for problems of the whole file.
 class TraceError : public std::runtime_error {
  public:
-  /// A line or column of 0 is left out of the text.
+  /// Omits line and column from the text if the line is 0.
   TraceError(const std::string& file, std::size_t line, std::size_t column,
              const std::string& problem);
-  /// From 1; 0 where the problem has no place.
+  /// Line from 1; 0 for the whole file.
   std::size_t line() const { return line_; }
-  /// In bytes from 1; 0 where the problem has no place.
+  /// Column from 1 [bytes]; 0 for the whole file.
   std::size_t column() const { return column_; }
 
  private:
@@ -27,47 +27,47 @@ class TraceError : public std::runtime_error {
   std::size_t column_;
 };
 
-/// Reads a trace from a CSV file, computed or measured:
+/// Reads a computed or measured trace from a CSV file:
 ///
 ///     # comments and empty lines are skipped
 ///     time [us], displacement [um], velocity [m/s]
 ///     0, 0, 0
 ///     0.6, 1.25e-3, 0.004
 ///
-/// Columns, in any order: `time` and `displacement` (wanted); `velocity`, `acceleration` and
+/// Columns, in any order: `time` and `displacement` (required); `velocity`, `acceleration` and
 /// `support` (optional). Units: s ms us ns; m mm um nm pm; m/s mm/s um/s mm/ms um/ms um/us;
-/// m/s^2 mm/s^2 um/us^2. Micro may be u or the Greek letter.
-/// An absent velocity is the second-order difference (`second_order_slopes`) of the displacement,
-/// an absent acceleration that of the velocity; an absent support stands still at zero.
-/// Times must increase; at least three samples are wanted. Throws `TraceError`.
+/// m/s^2 mm/s^2 um/us^2. Micro may be u or the Greek letter. A missing velocity is replaced by the
+/// second-order difference (`second_order_slopes`) of the displacement, a missing acceleration by
+/// that of the velocity, a missing support by zero. Times must increase; at least three samples are
+/// needed. Throws `TraceError`.
 beam::TipHistory read_tip_trace_csv(const std::string& path);
 
-/// The same from a text in memory; `name` stands for the file's name in errors.
+/// Reads the same format from a text in memory; `name` replaces the file's name in errors.
 beam::TipHistory parse_tip_trace_csv(std::string_view text, const std::string& name);
 
-/// Writes all columns in SI units, to the last bit, replacing the file atomically.
-/// Throws `TraceError` if the vectors differ in length, `mpm::FileError` if the file fails.
+/// Writes all columns in SI units, exactly, and replaces the file atomically. Throws `TraceError`
+/// if the vectors differ in length, `mpm::FileError` if the file cannot be written.
 void write_tip_trace_csv(const beam::TipHistory& history, const std::string& path);
 
 /// Reads the datasets /time, /displacement, ... [SI units] of an HDF5 file, with the same rules.
 /// Throws `TraceError` and `mpm::Hdf5Error`.
 beam::TipHistory read_tip_trace_hdf5(const std::string& path);
-/// Writes all vectors as such datasets, to the last bit. Throws `TraceError` if they differ in
-/// length, `mpm::Hdf5Error` if the file fails.
+/// Writes all vectors as such datasets, exactly. Throws `TraceError` if they differ in length,
+/// `mpm::Hdf5Error` and `mpm::FileError` if the file cannot be written.
 void write_tip_trace_hdf5(const beam::TipHistory& history, const std::string& path);
 
-/// Whether a trace is taken for HDF5, by its ending: ".h5" or ".hdf5".
+/// True if the extension of a trace means HDF5: ".h5" or ".hdf5".
 bool is_hdf5_trace(const std::string& path);
 
-/// Reads either format: HDF5 if `is_hdf5_trace`, or else CSV.
+/// Reads HDF5 if `is_hdf5_trace`, or else CSV.
 beam::TipHistory read_tip_trace(const std::string& path);
 
 /// Throws `TraceError` unless the history has at least three samples, vectors of one length, finite
-/// values and strictly increasing times. `name` says in the error whose history it is.
+/// values and strictly increasing times. `name` identifies the history in the error.
 void check_tip_history(const beam::TipHistory& history, const std::string& name);
 
-/// Fills in what a trace lacks (its vectors are empty), as `read_tip_trace_csv` says. Throws
-/// `TraceError` if what it has is inconsistent.
+/// Fills the empty vectors of a history by the rules of `read_tip_trace_csv`. Throws `TraceError`
+/// if the others are inconsistent.
 void complete_tip_history(beam::TipHistory& history, const std::string& name);
 
 }  // namespace zona::coupling

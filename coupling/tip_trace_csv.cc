@@ -16,8 +16,8 @@ namespace {
 
 using beam::TipHistory;
 
-/// A value in this unit is SI after `* multiplier / divisor`, both powers of ten that are exact in
-/// floating point, so that the conversion rounds but once (17.9 / 1e6, not 17.9 * 1e-6).
+/// `value * multiplier / divisor` converts to SI. Both factors are powers of ten that are exact in
+/// floating point, so that the conversion rounds only once (17.9 / 1e6, not 17.9 * 1e-6).
 struct Unit {
   const char* name;
   double multiplier;
@@ -32,12 +32,12 @@ const std::vector<Unit> velocity_units{{"m/s", 1, 1},   {"mm/s", 1, 1e3},  {"um/
 const std::vector<Unit> acceleration_units{
     {"m/s^2", 1, 1}, {"mm/s^2", 1, 1e3}, {"um/us^2", 1e6, 1}};
 
-/// What a column of a trace may be called, hold and be measured in.
+/// A known column of a trace.
 struct Heading {
   const char* name;
   std::vector<double> TipHistory::*samples;
   const std::vector<Unit>* units;
-  bool wanted;
+  bool required;
 };
 
 const std::vector<Heading> headings{
@@ -47,7 +47,7 @@ const std::vector<Heading> headings{
     {"acceleration", &TipHistory::acceleration, &acceleration_units, false},
     {"support", &TipHistory::support, &length_units, false}};
 
-/// What stands between two commas, without the blanks around it.
+/// Text between two commas, without surrounding blanks.
 struct Cell {
   std::string_view text;
   std::size_t column;  ///< of its first character, from 1 [bytes]
@@ -58,7 +58,7 @@ struct Column {
   const Unit* unit;
 };
 
-/// Takes the text apart line by line and keeps count, for errors.
+/// Parses the text line by line and counts lines for error messages.
 class TraceParser {
  public:
   TraceParser(std::string_view text, const std::string& name) : rest_(text), name_(name) {
@@ -67,12 +67,12 @@ class TraceParser {
   }
 
   TipHistory parse() {
-    if (!next_line()) fail_as_a_whole("the file is empty; a row of headings is wanted");
+    if (!next_line()) fail_file("the file is empty; it needs a row of headings");
     read_headings();
     TipHistory history;
     while (next_line()) read_row(history);
     if (history.time.size() < 3)
-      fail_as_a_whole(fmt::format("{} samples; at least 3 are wanted", history.time.size()));
+      fail_file(fmt::format("{} samples; at least 3 are needed", history.time.size()));
     return history;
   }
 
@@ -80,7 +80,7 @@ class TraceParser {
   [[noreturn]] void fail(std::size_t column, const std::string& problem) const {
     throw TraceError(name_, line_, column, problem);
   }
-  [[noreturn]] void fail_as_a_whole(const std::string& problem) const {
+  [[noreturn]] void fail_file(const std::string& problem) const {
     throw TraceError(name_, 0, 0, problem);
   }
 
@@ -93,7 +93,7 @@ class TraceParser {
   std::string_view rest_;
   const std::string& name_;
   std::size_t line_ = 0;
-  std::vector<Cell> cells_;  ///< of the present line
+  std::vector<Cell> cells_;  ///< of the current line
   std::vector<Column> columns_;
 };
 
@@ -115,7 +115,7 @@ std::vector<Cell> split(std::string_view line) {
   }
 }
 
-/// Moves on to the next line that is neither empty nor a comment.
+/// Advances to the next line that is neither empty nor a comment.
 bool TraceParser::next_line() {
   while (!rest_.empty()) {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
@@ -161,10 +161,10 @@ Column TraceParser::read_heading(const Cell& cell) const {
     fail(cell.column, fmt::format("'{}' lacks its unit; write for example '{} [{}]'", cell.text,
                                   name, heading->units->front().name));
   const std::string_view inside = cell.text.substr(bracket + 1, cell.text.size() - bracket - 2);
-  const std::string wanted = plain_unit(trimmed(inside, 1).text);
+  const std::string given = plain_unit(trimmed(inside, 1).text);
   for (const Unit& unit : *heading->units)
-    if (wanted == unit.name) return {&*heading, &unit};
-  fail(cell.column + bracket, fmt::format("unknown unit '{}' of {}; known are: {}", wanted, name,
+    if (given == unit.name) return {&*heading, &unit};
+  fail(cell.column + bracket, fmt::format("unknown unit '{}' of {}; known are: {}", given, name,
                                           names_of(*heading->units)));
 }
 
@@ -180,7 +180,7 @@ void TraceParser::read_headings() {
     const bool found = std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
       return column.heading == &heading;
     });
-    if (heading.wanted && !found)
+    if (heading.required && !found)
       fail(1, fmt::format("no column '{} [{}]'", heading.name, heading.units->front().name));
   }
 }
@@ -210,7 +210,7 @@ void TraceParser::read_row(TipHistory& history) const {
     if (!std::isfinite(samples.back()))
       fail(cells_[i].column, fmt::format("'{}' is out of range", cells_[i].text));
     if (is_time && samples.size() > 1 && !(samples.back() > samples[samples.size() - 2]))
-      fail(cells_[i].column, fmt::format("time {} s is not after the time before it, {} s",
+      fail(cells_[i].column, fmt::format("time {} s is not after the previous time, {} s",
                                          samples.back(), samples[samples.size() - 2]));
   }
 }

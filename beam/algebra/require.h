@@ -11,12 +11,12 @@ inline void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
-/// Finite and above zero.
+/// True for finite values above zero.
 inline bool is_positive(double value) {
   return std::isfinite(value) && value > 0;
 }
-/// Finite and not below zero.
-inline bool is_not_negative(double value) {
+/// True for finite values not below zero.
+inline bool is_non_negative(double value) {
   return std::isfinite(value) && value >= 0;
 }
 

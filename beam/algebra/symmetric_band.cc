@@ -16,23 +16,23 @@ SymmetricBand::SymmetricBand(int size) {
 void SymmetricBand::add(int row, int column, double value) {
   const int low = std::min(row, column);
   const int high = std::max(row, column);
-  if (low < 0 || high >= size() || high - low > kHalfBandwidth)
+  if (low < 0 || high >= size() || high - low > half_bandwidth)
     throw std::out_of_range(fmt::format(
-        "band matrix: entry ({}, {}) lies outside the band of half width {} of a matrix "
-        "of size {}; number the degrees of freedom along the beam",
-        row, column, kHalfBandwidth, size()));
+        "band matrix: entry ({}, {}) lies outside the half bandwidth {} of a matrix of size {}; "
+        "number the degrees of freedom along the beam",
+        row, column, half_bandwidth, size()));
   diagonal_[high - low](high) += value;
 }
 
 double SymmetricBand::operator()(int row, int column) const {
   const int distance = std::abs(row - column);
-  return distance > kHalfBandwidth ? 0 : diagonal_[distance](std::max(row, column));
+  return distance > half_bandwidth ? 0 : diagonal_[distance](std::max(row, column));
 }
 
 void SymmetricBand::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& result) const {
   result.array() = diagonal_[0].array() * x.array();
   const int n = size();
-  for (int k = 1; k <= kHalfBandwidth && k < n; ++k) {
+  for (int k = 1; k <= half_bandwidth && k < n; ++k) {
     const auto band = diagonal_[k].tail(n - k).array();
     result.tail(n - k).array() += band * x.head(n - k).array();
     result.head(n - k).array() += band * x.tail(n - k).array();
@@ -40,30 +40,30 @@ void SymmetricBand::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& result) 
 }
 
 void SymmetricBand::combine(double a, const SymmetricBand& A, double b, const SymmetricBand& B) {
-  for (int k = 0; k <= kHalfBandwidth; ++k) diagonal_[k] = a * A.diagonal_[k] + b * B.diagonal_[k];
+  for (int k = 0; k <= half_bandwidth; ++k) diagonal_[k] = a * A.diagonal_[k] + b * B.diagonal_[k];
 }
 
 void SymmetricBand::accumulate(double a, const SymmetricBand& A) {
-  for (int k = 0; k <= kHalfBandwidth; ++k) diagonal_[k] += a * A.diagonal_[k];
+  for (int k = 0; k <= half_bandwidth; ++k) diagonal_[k] += a * A.diagonal_[k];
 }
 
 Eigen::MatrixXd SymmetricBand::dense() const {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
   for (int row = 0; row < size(); ++row)
-    for (int column = std::max(0, row - kHalfBandwidth); column <= row; ++column)
+    for (int column = std::max(0, row - half_bandwidth); column <= row; ++column)
       matrix(row, column) = matrix(column, row) = (*this)(row, column);
   return matrix;
 }
 
 void BandFactor::factorise(const SymmetricBand& matrix) {
-  for (int k = 0; k <= kHalfBandwidth; ++k) lower_[k] = matrix.diagonal_[k];
+  for (int k = 0; k <= half_bandwidth; ++k) lower_[k] = matrix.diagonal_[k];
   auto& [inverse, one, two, three] = lower_;
   for (int i = 0; i < matrix.size(); ++i) {
-    // Row i of L D, then of L; a coefficient that reaches before row 0 is zero in the diagonals.
+    // Row i of L D, then of L; coefficients before column 0 are zero in the diagonals.
     if (i >= 2) two(i) -= i >= 3 ? three(i) * one(i - 2) : 0;
     if (i >= 1) one(i) -= (i >= 3 ? three(i) * two(i - 1) : 0) + (i >= 2 ? two(i) * one(i - 1) : 0);
     double pivot = inverse(i);
-    for (int k = 1; k <= std::min(i, kHalfBandwidth); ++k) {
+    for (int k = 1; k <= std::min(i, half_bandwidth); ++k) {
       const double unscaled = lower_[k](i);
       lower_[k](i) = unscaled * inverse(i - k);
       pivot -= unscaled * lower_[k](i);

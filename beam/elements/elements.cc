@@ -18,24 +18,23 @@ namespace zona::beam {
 namespace {
 
 using dealii::FullMatrix;
-constexpr int kElementDofs = QuadraturePoint::dofs;
-constexpr int kGaussPoints = 5;
-constexpr int kEssential = QuadraturePoint::held;
+constexpr int element_dofs = QuadraturePoint::dofs;
+constexpr int gauss_points = 5;
 
-/// Shape functions and what strains the element, at one of its points: curvature of Hermite cubics,
-/// in the order deflection and rotation at the left vertex, then at the right one; slope of
-/// Lagrange cubics, node by node.
+/// Shape functions and their strains at a point of an element: curvatures of Hermite cubics
+/// (deflection and rotation at the left vertex, then at the right one), or slopes of Lagrange
+/// cubics, node by node.
 struct ShapeValues {
-  std::array<double, kElementDofs> value;
-  std::array<double, kElementDofs> strain;
+  std::array<double, element_dofs> value;
+  std::array<double, element_dofs> strain;
 };
 
 ShapeValues hermite_shapes(double xi, double element_length) {
   // deal.II orders value left, value right, slope left, slope right, on the unit interval.
-  constexpr std::array<unsigned int, kElementDofs> order = {0, 2, 1, 3};
+  constexpr std::array<unsigned int, element_dofs> order = {0, 2, 1, 3};
   static const auto basis = dealii::Polynomials::HermiteInterpolation::generate_complete_basis(3);
   ShapeValues shapes{};
-  for (int i = 0; i < kElementDofs; ++i) {
+  for (int i = 0; i < element_dofs; ++i) {
     std::array<double, 3> derivatives{};
     basis[order[i]].value(xi, 2, derivatives.data());
     const double scale = i % 2 == 1 ? element_length : 1;
@@ -47,9 +46,9 @@ ShapeValues hermite_shapes(double xi, double element_length) {
 
 ShapeValues lagrange_shapes(double xi, double element_length) {
   static const auto basis = dealii::Polynomials::generate_complete_Lagrange_basis(
-      dealii::QGaussLobatto<1>(kElementDofs).get_points());
+      dealii::QGaussLobatto<1>(element_dofs).get_points());
   ShapeValues shapes{};
-  for (int i = 0; i < kElementDofs; ++i) {
+  for (int i = 0; i < element_dofs; ++i) {
     std::array<double, 2> derivatives{};
     basis[i].value(xi, 1, derivatives.data());
     shapes.value[i] = derivatives[0];
@@ -64,14 +63,14 @@ ShapeValues shapes_at(Deformation deformation, double xi, double element_length)
 }
 
 struct ElementMatrices {
-  FullMatrix<double> mass{kElementDofs, kElementDofs};
-  FullMatrix<double> stiffness{kElementDofs, kElementDofs};
+  FullMatrix<double> mass{element_dofs, element_dofs};
+  FullMatrix<double> stiffness{element_dofs, element_dofs};
 };
 
 ElementMatrices element_matrices(const Section& section, Deformation deformation, double left,
                                  double element_length) {
   const bool bends = deformation == Deformation::bending;
-  const dealii::QGauss<1> quadrature(kGaussPoints);
+  const dealii::QGauss<1> quadrature(gauss_points);
   ElementMatrices element;
   for (unsigned int point = 0; point < quadrature.size(); ++point) {
     const double xi = quadrature.point(point)[0];
@@ -81,14 +80,14 @@ ElementMatrices element_matrices(const Section& section, Deformation deformation
     const double mass = section.mass_per_length(x);
     require(is_positive(rigidity) && is_positive(mass),
             fmt::format("beam: at x = {} m the {} and the mass {} kg/m, but both must be greater "
-                        "than 0; mend the section there",
+                        "than 0; correct the section there",
                         x,
                         bends ? fmt::format("flexural rigidity is {} N m^2", rigidity)
                               : fmt::format("axial rigidity is {} N", rigidity),
                         mass));
     const ShapeValues shapes = shapes_at(deformation, xi, element_length);
-    for (int i = 0; i < kElementDofs; ++i)
-      for (int j = 0; j < kElementDofs; ++j) {
+    for (int i = 0; i < element_dofs; ++i)
+      for (int j = 0; j < element_dofs; ++j) {
         element.mass(i, j) += weight * mass * shapes.value[i] * shapes.value[j];
         element.stiffness(i, j) += weight * rigidity * shapes.strain[i] * shapes.strain[j];
       }
@@ -96,27 +95,27 @@ ElementMatrices element_matrices(const Section& section, Deformation deformation
   return element;
 }
 
-/// How many degrees of freedom an element adds to those of its left vertex.
+/// Number of degrees of freedom from one vertex to the next.
 int stride(Deformation deformation) {
-  return deformation == Deformation::bending ? 2 : kElementDofs - 1;
+  return deformation == Deformation::bending ? 2 : element_dofs - 1;
 }
 
-/// Number of every degree of freedom (deflection, rotation per vertex; axial displacement per node)
-/// among those that are free.
+/// Index of every degree of freedom (deflection and rotation per vertex, or axial displacement per
+/// node) among the free ones.
 std::vector<int> number_free_dofs(const BeamLayout& layout, unsigned int elements) {
   const bool bends = layout.deformation == Deformation::bending;
   const int dofs = stride(layout.deformation) * static_cast<int>(elements) + (bends ? 2 : 1);
   std::vector<bool> essential(dofs, false);
   essential[0] = true;
   if (bends) essential[layout.supports == Supports::clamped_free ? 1 : dofs - 2] = true;
-  std::vector<int> number(dofs, kEssential);
+  std::vector<int> number(dofs, QuadraturePoint::held);
   int next = 0;
   for (int dof = 0; dof < dofs; ++dof)
     if (!essential[dof]) number[dof] = next++;
   return number;
 }
 
-/// Deflection r(x) of the rigid motion per unit displacement of the support, and its slope.
+/// Rigid motion r(x) for unit displacement of the support.
 double rigid_deflection(Supports supports, double x, double length) {
   return supports == Supports::clamped_free ? 1 : 1 - x / length;
 }
@@ -133,7 +132,7 @@ void check_layout(const Section& section, const BeamLayout& layout) {
           fmt::format("beam: {} elements, but at least {} are needed; use 20 or more",
                       layout.elements, fewest));
   require(layout.deformation == Deformation::bending || layout.supports == Supports::clamped_free,
-          "beam: a rod is held at one end and free at the other; take Supports::clamped_free");
+          "beam: a rod is held at one end and free at the other; use Supports::clamped_free");
   require(layout.deformation == Deformation::bending || section.axial_rigidity,
           "beam: the section of a rod has no axial rigidity; give Section::axial_rigidity");
   require(layout.observed_at >= 0 && layout.observed_at <= section.length,
@@ -141,17 +140,16 @@ void check_layout(const Section& section, const BeamLayout& layout) {
                       layout.observed_at, section.length));
 }
 
-/// One element: its ends [m] and the numbers of its free degrees of freedom.
+/// One element: its ends [m] and the indices of its degrees of freedom.
 struct Element {
   double left;
   double right;
-  std::array<int, kElementDofs> dof;
+  std::array<int, element_dofs> dof;
 
   double length() const { return right - left; }
 };
 
-/// Ends of the elements [m]: evenly spaced between the breaks of the section, about as many as the
-/// layout wants.
+/// Ends of about `elements` elements [m], evenly spaced between the breaks of the section.
 std::vector<double> element_ends(const Section& section, int elements) {
   const double length = section.length;
   const double nearest = 1e-6 * length;
@@ -171,7 +169,7 @@ std::vector<double> element_ends(const Section& section, int elements) {
   return ends;
 }
 
-/// A mesh of these elements, from deal.II.
+/// Makes the mesh with deal.II.
 void make_mesh(const Section& section, const BeamLayout& layout, dealii::Triangulation<1>& mesh) {
   if (section.breaks.empty()) {
     dealii::GridGenerator::subdivided_hyper_cube(mesh, layout.elements, 0., section.length);
@@ -196,7 +194,7 @@ BeamSystem empty_system(const Section& section, const BeamLayout& layout,
   system.support_share = rigid_deflection(layout.supports, layout.observed_at, section.length);
   system.element_length = section.length / layout.elements;
   for (std::size_t dof = 0; dof < number.size(); ++dof)
-    if (number[dof] != kEssential) system.rotation.push_back(bends && dof % 2 == 1);
+    if (number[dof] != QuadraturePoint::held) system.rotation.push_back(bends && dof % 2 == 1);
   return system;
 }
 
@@ -205,17 +203,17 @@ void add_element(const Section& section, const BeamLayout& layout, const Element
   const ElementMatrices matrices =
       element_matrices(section, layout.deformation, element.left, element.length());
   const double slope = rigid_slope(layout.supports, section.length);
-  std::array<double, kElementDofs> rigid = {
+  std::array<double, element_dofs> rigid = {
       rigid_deflection(layout.supports, element.left, section.length), slope,
       rigid_deflection(layout.supports, element.right, section.length), slope};
   if (layout.deformation == Deformation::stretching) rigid.fill(1);
-  for (int i = 0; i < kElementDofs; ++i) {
+  for (int i = 0; i < element_dofs; ++i) {
     const int row = element.dof[i];
-    if (row == kEssential) continue;
-    for (int j = 0; j < kElementDofs; ++j) {
+    if (row == QuadraturePoint::held) continue;
+    for (int j = 0; j < element_dofs; ++j) {
       system.support_mass(row) += matrices.mass(i, j) * rigid[j];
       const int column = element.dof[j];
-      if (column == kEssential || column > row) continue;
+      if (column == QuadraturePoint::held || column > row) continue;
       system.mass.add(row, column, matrices.mass(i, j));
       system.stiffness.add(row, column, matrices.stiffness(i, j));
     }
@@ -225,8 +223,9 @@ void add_element(const Section& section, const BeamLayout& layout, const Element
 void observe(const Element& element, const BeamLayout& layout, BeamSystem& system) {
   const double xi = (layout.observed_at - element.left) / element.length();
   const ShapeValues shapes = shapes_at(layout.deformation, xi, element.length());
-  for (int i = 0; i < kElementDofs; ++i)
-    if (element.dof[i] != kEssential) system.observation(element.dof[i]) = shapes.value[i];
+  for (int i = 0; i < element_dofs; ++i)
+    if (element.dof[i] != QuadraturePoint::held)
+      system.observation(element.dof[i]) = shapes.value[i];
 }
 
 /// The elements from x = 0 to the tip.
@@ -235,7 +234,7 @@ std::vector<Element> make_elements(const dealii::Triangulation<1>& mesh, Deforma
   std::vector<Element> elements;
   for (const auto& cell : mesh.active_cell_iterators()) {
     Element element{cell->vertex(0)[0], cell->vertex(1)[0], {}};
-    for (int i = 0; i < kElementDofs; ++i)
+    for (int i = 0; i < element_dofs; ++i)
       element.dof[i] = number[stride(deformation) * cell->vertex_index(0) + i];
     elements.push_back(element);
   }
@@ -258,11 +257,12 @@ BeamSystem assemble_with_deal_ii(const Section& section, const BeamLayout& layou
   return system;
 }
 
-std::vector<QuadraturePoint> points_of_deal_ii(const Section& section, const BeamLayout& layout) {
+std::vector<QuadraturePoint> quadrature_points_with_deal_ii(const Section& section,
+                                                            const BeamLayout& layout) {
   check_layout(section, layout);
   dealii::Triangulation<1> mesh;
   make_mesh(section, layout, mesh);
-  const dealii::QGauss<1> quadrature(kGaussPoints);
+  const dealii::QGauss<1> quadrature(gauss_points);
   const std::vector<int> number = number_free_dofs(layout, mesh.n_active_cells());
   std::vector<QuadraturePoint> points;
   for (const Element& element : make_elements(mesh, layout.deformation, number))
@@ -287,5 +287,5 @@ void zona_beam_assemble(const zona::beam::Section& section, const zona::beam::Be
 void zona_beam_quadrature_points(const zona::beam::Section& section,
                                  const zona::beam::BeamLayout& layout,
                                  std::vector<zona::beam::QuadraturePoint>& points) {
-  points = zona::beam::points_of_deal_ii(section, layout);
+  points = zona::beam::quadrature_points_with_deal_ii(section, layout);
 }

@@ -12,9 +12,9 @@
 namespace zona::beam {
 namespace {
 
-constexpr int kMostModes = 100'000;
+constexpr int max_modes = 100'000;
 
-/// n-th root of cos z + 1 / cosh z = 0, by Newton from the root of cos z next to it.
+/// n-th root of cos z + 1 / cosh z = 0, by Newton's method from the nearest root of cos z.
 double clamped_free_root(int mode) {
   double z = (mode - 0.5) * M_PI;
   for (int iteration = 0; iteration < 50; ++iteration) {
@@ -33,7 +33,7 @@ double sigma(double z) {
          (1 - decay * decay + 2 * decay * std::sin(z));
 }
 
-/// (1 - sigma) e^z / 2, in which the two exponentially large parts have been cancelled by hand.
+/// (1 - sigma) e^z / 2, with its two exponentially large terms cancelled analytically.
 double growing_amplitude(double z) {
   const double decay = std::exp(-z);
   return (std::sin(z) - std::cos(z) - decay) / (1 - decay * decay + 2 * decay * std::sin(z));
@@ -46,10 +46,10 @@ void check_beam(const UniformBeam& beam, int modes) {
       fmt::format("exact cantilever: length {} m, rigidity {} N m^2 and mass {} kg/m must all be "
                   "greater than 0",
                   beam.length, beam.flexural_rigidity, beam.mass_per_length));
-  require(modes >= 1 && modes <= kMostModes,
-          fmt::format("exact cantilever: {} modes, but the number must lie between 1 and {}; 80 do "
-                      "for a 60 us pulse",
-                      modes, kMostModes));
+  require(modes >= 1 && modes <= max_modes,
+          fmt::format("exact cantilever: {} modes, but the number must lie between 1 and {}; 80 "
+                      "suffice for a 60 us pulse",
+                      modes, max_modes));
 }
 
 }  // namespace

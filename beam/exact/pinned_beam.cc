@@ -15,7 +15,7 @@ double ExactPinnedBeam::deflection(double x, double time, SupportStart start) co
   double relative = 0;
   for (int mode = 1; mode <= modes; ++mode) {
     const double omega = angular_frequency(mode);
-    // 2/l times the integral of (1 - x/l) sin(i pi x / l), which (5.74) leaves without its 2/l.
+    // 2/l times the integral of (1 - x/l) sin(i pi x / l); (5.74) lacks the factor 2/l.
     const double share = 2 / (mode * M_PI);
     // Duhamel's integral of g'' = -A w^2 sin(w t') against sin(omega (t - t')).
     const double duhamel = -A * w * w * (omega * std::sin(w * time) - w * std::sin(omega * time)) /

@@ -10,15 +10,13 @@ namespace {
 using Complex = std::complex<double>;
 using Matrix = Eigen::Matrix<Complex, 4, 4>;
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// Forces on the ends of a piece (shear and moment at the left, then at the right) for their
-/// deflections and rotations. The solutions exp(-kx), exp(-k(l - x)), exp(ikx), exp(-ikx), the last
-/// two scaled to their greater end, never exceed 1.
+/// Forces on the ends of a piece (shear force and moment at the left, then at the right) for unit
+/// deflections and rotations of the ends. The basis exp(-kx), exp(-k(l - x)), exp(ikx), exp(-ikx),
+/// with the last two scaled to their greater end, never exceeds 1.
 Matrix dynamic_stiffness(const UniformPiece& piece, const Liquid& liquid, Complex s) {
   Complex inertia = piece.mass_per_length * s * s;
   if (piece.radius > 0)
-    inertia += liquid.density * kPi * piece.radius * piece.radius * s * s +
+    inertia += liquid.density * M_PI * piece.radius * piece.radius * s * s +
                s * viscous_load(Flow::across, liquid, piece.radius, s);
   Complex k = std::sqrt(std::sqrt(-inertia / piece.flexural_rigidity));
   if (k.real() < 0) k = -k;
@@ -56,7 +54,7 @@ Complex exact_transfer(const std::vector<UniformPiece>& pieces, const Liquid& li
 
 Complex exact_rod_transfer(const std::vector<UniformRodPiece>& pieces, const Liquid& liquid,
                            Complex s) {
-  // u and EA u' from the tip, where they are 1 and 0, to the support.
+  // u and EA u', from the tip, where they are 1 and 0, to the support.
   Complex motion = 1, force = 0;
   for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
     Complex inertia = piece->mass_per_length * s * s;

@@ -8,22 +8,22 @@
 #include "beam/system/beam_system.h"
 #include "beam/system/relaxation.h"
 
-/// What solves a beam's equations at four frequencies at once; of use to `transfer_function.cc`
-/// and `transfer_sensitivity.cc` only. All is inlined into functions that are compiled for several
-/// instruction sets.
+/// Solution of a beam's equations at four frequencies at once, for `transfer_function.cc` and
+/// `transfer_sensitivity.cc` only. Everything is inlined into functions that are compiled for
+/// several instruction sets.
 namespace zona::beam::lanes {
 
 using Complex = std::complex<double>;
 
-constexpr int kLanes = 4;
-/// Four numbers that are computed together, in one register of AVX2. Eight would fill one of
-/// AVX-512, but without that the compiler moves them through memory, six times as slowly. The
-/// alignment is spelt out, because without AVX the compiler takes less than code with it relies on.
-constexpr std::size_t kLaneBytes = kLanes * sizeof(double);
-using Lane = double __attribute__((vector_size(kLaneBytes), aligned(kLaneBytes)));
+constexpr int lane_count = 4;
+/// Four numbers in one register of AVX2. Eight would fill one of AVX-512, but on other processors
+/// the compiler moves them through memory, six times as slowly. The alignment is explicit, because
+/// without AVX the compiler chooses less than code compiled with AVX requires.
+constexpr std::size_t lane_bytes = lane_count * sizeof(double);
+using Lane = double __attribute__((vector_size(lane_bytes), aligned(lane_bytes)));
 
 /// Four complex numbers.
-struct alignas(kLaneBytes) Complexes {
+struct alignas(lane_bytes) Complexes {
   Lane re{};
   Lane im{};
 };
@@ -51,10 +51,10 @@ inline void invert(Complexes& a) {
   a.im *= -scale;
 }
 
-/// The equations at four values of s as factors of the system's matrices.
+/// Factors of the system's matrices in the equations at four values of s.
 struct Factors {
   Complexes stiffness;
-  Complexes mass;                ///< of the structure, Rayleigh damping with it
+  Complexes mass;                ///< of the structure, with Rayleigh damping
   Complexes support;             ///< of the structure's support mass
   Complexes displaced;           ///< of the displaced liquid
   std::vector<Complexes> share;  ///< of the viscous loads
@@ -65,7 +65,7 @@ inline void set(Complexes& lanes, int lane, Complex value) {
   lanes.im[lane] = value.imag();
 }
 
-/// Force per length and velocity of a viscous load.
+/// Viscous load, as force per length and velocity [Pa s].
 inline Complex load_at(const ViscousLoad& load, Complex s) {
   if (load.model == BathModel::frequency)
     return viscous_load(load.flow, load.liquid, load.radius, s);
@@ -78,7 +78,7 @@ inline Factors factors_at(const BeamSystem& system, const Complex* s) {
   Factors factors;
   const std::vector<ViscousLoad>& loads = system.liquids.viscous;
   factors.share.resize(loads.size());
-  for (int lane = 0; lane < kLanes; ++lane) {
+  for (int lane = 0; lane < lane_count; ++lane) {
     const Complex at = s[lane];
     const Complex modulus = system.loss_factor > 0
                                 ? loss_modulus(at, system.loss_factor, system.loss_frequency)
@@ -98,28 +98,28 @@ class BandSolve {
  public:
   explicit BandSolve(int size) : rows_(size) {}
 
-  void set_row(int i, std::array<Complexes, kHalfBandwidth + 1>& diagonals,
+  void set_row(int i, std::array<Complexes, half_bandwidth + 1>& diagonals,
                const Complexes& right_side);
-  /// Replaces right sides by the solution, from the last row back.
+  /// Replaces the right sides by the solution, from the last row back.
   void substitute_back();
-  /// The same for another right side, which the solution replaces.
+  /// Solves for another right side and replaces it by the solution.
   void solve_again(std::vector<Complexes>& right_side) const;
   const Complexes& solution(int i) const { return rows_[i].value; }
 
  private:
   struct Row {
     Complexes inverse;                            ///< 1 / D
-    std::array<Complexes, kHalfBandwidth> lower;  ///< L(i, i - 1), L(i, i - 2), L(i, i - 3)
+    std::array<Complexes, half_bandwidth> lower;  ///< L(i, i - 1), L(i, i - 2), L(i, i - 3)
     Complexes value;
   };
   std::vector<Row> rows_;
 };
 
-inline void BandSolve::set_row(int i, std::array<Complexes, kHalfBandwidth + 1>& diagonals,
+inline void BandSolve::set_row(int i, std::array<Complexes, half_bandwidth + 1>& diagonals,
                                const Complexes& right_side) {
   Row& row = rows_[i];
-  const int reach = std::min(i, kHalfBandwidth);
-  // Row i of L D, from the farthest entry on.
+  const int reach = std::min(i, half_bandwidth);
+  // Row i of L D, from its farthest entry to the diagonal.
   for (int k = reach; k >= 1; --k)
     for (int m = k + 1; m <= reach; ++m)
       subtract_product(diagonals[k], diagonals[m], rows_[i - k].lower[m - k - 1]);
@@ -138,18 +138,18 @@ inline void BandSolve::set_row(int i, std::array<Complexes, kHalfBandwidth + 1>&
 inline void BandSolve::substitute_back() {
   for (Row& row : rows_) multiply(row.value, row.inverse);
   for (int i = static_cast<int>(rows_.size()) - 1; i >= 0; --i)
-    for (int k = 1; k <= std::min(i, kHalfBandwidth); ++k)
+    for (int k = 1; k <= std::min(i, half_bandwidth); ++k)
       subtract_product(rows_[i - k].value, rows_[i].lower[k - 1], rows_[i].value);
 }
 
 inline void BandSolve::solve_again(std::vector<Complexes>& right_side) const {
   const int n = static_cast<int>(rows_.size());
   for (int i = 0; i < n; ++i)
-    for (int k = 1; k <= std::min(i, kHalfBandwidth); ++k)
+    for (int k = 1; k <= std::min(i, half_bandwidth); ++k)
       subtract_product(right_side[i], rows_[i].lower[k - 1], right_side[i - k]);
   for (int i = 0; i < n; ++i) multiply(right_side[i], rows_[i].inverse);
   for (int i = n - 1; i >= 0; --i)
-    for (int k = 1; k <= std::min(i, kHalfBandwidth); ++k)
+    for (int k = 1; k <= std::min(i, half_bandwidth); ++k)
       subtract_product(right_side[i - k], rows_[i].lower[k - 1], right_side[i]);
 }
 
@@ -166,7 +166,7 @@ inline Complexes matrix_entry(const BeamSystem& system, const Factors& factors, 
   return entry;
 }
 
-/// Minus the right side's entry i: what unit motion of the support loads.
+/// Minus entry i of the right side: the load by unit motion of the support.
 inline Complexes support_entry(const BeamSystem& system, const Factors& factors, int i) {
   const LiquidLoads& liquids = system.liquids;
   Complexes entry{};
@@ -181,8 +181,8 @@ inline Complexes support_entry(const BeamSystem& system, const Factors& factors,
 /// Factorises the equations and solves them for unit motion of the support.
 inline void solve_relative(const BeamSystem& system, const Factors& factors, BandSolve& band) {
   for (int i = 0; i < system.size(); ++i) {
-    std::array<Complexes, kHalfBandwidth + 1> diagonals;
-    for (int k = 0; k <= kHalfBandwidth; ++k) diagonals[k] = matrix_entry(system, factors, i, k);
+    std::array<Complexes, half_bandwidth + 1> diagonals;
+    for (int k = 0; k <= half_bandwidth; ++k) diagonals[k] = matrix_entry(system, factors, i, k);
     Complexes right_side{};
     add(right_side, -1, support_entry(system, factors, i));
     band.set_row(i, diagonals, right_side);
@@ -190,8 +190,8 @@ inline void solve_relative(const BeamSystem& system, const Factors& factors, Ban
   band.substitute_back();
 }
 
-/// The observed point's absolute motion for unit motion of the support; `band` then holds factors
-/// and solution. Compiled for several instruction sets, of which the loader takes the best.
+/// Absolute motion of the observed point for unit motion of the support; `band` then holds factors
+/// and solution. Compiled for several instruction sets; the loader chooses the best.
 void solve(const BeamSystem& system, const Factors& factors, BandSolve& band, Complexes& observed);
 
 }  // namespace zona::beam::lanes

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 #include "beam/algebra/require.h"
 #include "beam/frequency/frequency_lanes.h"
@@ -25,17 +26,15 @@ namespace {
 
 using namespace lanes;
 
-constexpr double kPi = 3.14159265358979323846;
+/// Real part of s on the line of inversion, times the time span of the inversion. Aliases are
+/// damped by exp(-16); errors grow by exp(8) from the first to the last sample.
+constexpr double line_damping = 16;
 
-/// How fast the transform's line of s makes signals die out, times the time of the inversion: what
-/// comes round again is exp(-16) of itself, and what is off at first exp(8) of that at the end.
-constexpr double kDamping = 16;
-
-/// Fades out the upper quarter of the frequencies. Cut off at once, a kink's spectrum would leave a
-/// ripple all along the samples, which the way back from the line makes grow.
+/// Fades out the upper quarter of the frequencies. A sharp cut of a kink's spectrum would leave a
+/// ripple along all samples, which the factor exp(t Re s) amplifies.
 double fade(int k, int count) {
-  const double place = 4. * k / count - 3;  // from 0 to 1 over the upper quarter
-  return place <= 0 ? 1 : std::pow(std::cos(0.5 * kPi * place), 2);
+  const double place = 4. * k / count - 3;  // 0 to 1 over the upper quarter
+  return place <= 0 ? 1 : std::pow(std::cos(0.5 * M_PI * place), 2);
 }
 
 int inversion_length(const Sampling& sampling) {
@@ -48,8 +47,8 @@ int inversion_length(const Sampling& sampling) {
 
 TransferFunction::TransferFunction(const BeamSystem& system) : system_(system) {
   require(!system.liquids.has_bath(BathModel::per_mode) && system.liquids.drag.empty(),
-          "transform: it takes no quadratic drag and no bath of the model per_mode; choose another "
-          "integrator");
+          "transform: a quadratic drag and a bath of the model per_mode have no transfer function; "
+          "choose another integrator");
 }
 
 Complex TransferFunction::operator()(Complex s) const {
@@ -59,10 +58,10 @@ Complex TransferFunction::operator()(Complex s) const {
 std::vector<Complex> TransferFunction::at(const std::vector<Complex>& s) const {
   std::vector<Complex> values(s.size());
   BandSolve band(system_.size());
-  for (std::size_t first = 0; first < s.size(); first += kLanes) {
-    const std::size_t count = std::min<std::size_t>(kLanes, s.size() - first);
-    std::array<Complex, kLanes> lanes;
-    for (int lane = 0; lane < kLanes; ++lane)
+  for (std::size_t first = 0; first < s.size(); first += lane_count) {
+    const std::size_t count = std::min<std::size_t>(lane_count, s.size() - first);
+    std::array<Complex, lane_count> lanes;
+    for (int lane = 0; lane < lane_count; ++lane)
       lanes[lane] = s[first + std::min<std::size_t>(lane, count - 1)];
     Complexes observed;
     solve(system_, factors_at(system_, lanes.data()), band, observed);
@@ -93,7 +92,8 @@ std::vector<Complex> transform_points(const Sampling& sampling) {
   const int length = inversion_length(sampling);
   const double time = length * sampling.step;
   std::vector<Complex> points;
-  for (int k = 0; k <= length / 2; ++k) points.emplace_back(kDamping / time, 2 * kPi * k / time);
+  for (int k = 0; k <= length / 2; ++k)
+    points.emplace_back(line_damping / time, 2 * M_PI * k / time);
   return points;
 }
 
@@ -110,10 +110,21 @@ std::vector<double> invert_transform(const Sampling& sampling,
   std::vector<double> values(length);
   fft.inv(values, faded, length);
   values.resize(sample_count(sampling));
-  // inv() divides by the length; the integral along the line by the time.
+  // inv() divides by the length, but the integral along the line by the time.
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] *= std::exp(kDamping * static_cast<double>(i) / length) / sampling.step;
+    values[i] *= std::exp(line_damping * static_cast<double>(i) / length) / sampling.step;
   return values;
+}
+
+std::array<std::vector<double>, 3> invert_with_derivatives(const Sampling& sampling,
+                                                           std::vector<Complex> transform) {
+  const std::vector<Complex> points = transform_points(sampling);
+  std::array<std::vector<double>, 3> derivatives{invert_transform(sampling, transform)};
+  for (const int order : {1, 2}) {
+    for (std::size_t k = 0; k < points.size(); ++k) transform[k] *= points[k];
+    derivatives[order] = invert_transform(sampling, transform);
+  }
+  return derivatives;
 }
 
 TipHistory integrate_by_transform(const BeamSystem& system, const SupportMotion& motion,
@@ -124,15 +135,14 @@ TipHistory integrate_by_transform(const BeamSystem& system, const SupportMotion&
 
 TipHistory history_by_transform(std::vector<Complex> values, const SupportMotion& motion,
                                 const Sampling& sampling) {
-  const std::vector<Complex> points = transform_points(sampling);
-  const std::vector<Complex> support = laplace_transform(motion, points);
-  for (std::size_t k = 0; k < points.size(); ++k) values[k] *= support[k];
+  const std::vector<Complex> support = laplace_transform(motion, transform_points(sampling));
+  for (std::size_t k = 0; k < support.size(); ++k) values[k] *= support[k];
+  auto [displacement_at, velocity_at, acceleration_at] =
+      invert_with_derivatives(sampling, std::move(values));
   TipHistory history;
-  history.displacement = invert_transform(sampling, values);
-  for (std::size_t k = 0; k < points.size(); ++k) values[k] *= points[k];
-  history.velocity = invert_transform(sampling, values);
-  for (std::size_t k = 0; k < points.size(); ++k) values[k] *= points[k];
-  history.acceleration = invert_transform(sampling, values);
+  history.displacement = std::move(displacement_at);
+  history.velocity = std::move(velocity_at);
+  history.acceleration = std::move(acceleration_at);
   for (int i = 0; i < sample_count(sampling); ++i) {
     history.time.push_back(i * sampling.step);
     history.support.push_back(displacement(motion, history.time.back()));

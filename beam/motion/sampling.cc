@@ -11,7 +11,7 @@ namespace zona::beam {
 
 namespace {
 
-constexpr double kMostSamples = 1e8;
+constexpr double max_samples = 1e8;
 
 }  // namespace
 
@@ -20,10 +20,10 @@ int sample_count(const Sampling& sampling) {
           fmt::format("sampling: a step of {} s up to {} s, but both must be greater than 0",
                       sampling.step, sampling.end));
   const double intervals = std::ceil(sampling.end / sampling.step - 1e-6);
-  require(intervals < kMostSamples,
+  require(intervals < max_samples,
           fmt::format("sampling: a step of {} s up to {} s makes {} samples, but at most {} are "
                       "allowed; use a longer step",
-                      sampling.step, sampling.end, intervals, kMostSamples));
+                      sampling.step, sampling.end, intervals, max_samples));
   return std::max(1, static_cast<int>(intervals)) + 1;
 }
 

@@ -8,8 +8,8 @@ struct Sampling {
   double step = 0.6e-6;  ///< [s]
 };
 
-/// Number of samples, that at t = 0 included. Throws std::invalid_argument for a step or an end
-/// that is not positive, or more than a hundred million samples.
+/// Number of samples, including t = 0. Throws std::invalid_argument for a step or an end that is
+/// not positive, and for more than 1e8 samples.
 int sample_count(const Sampling& sampling);
 
 }  // namespace zona::beam

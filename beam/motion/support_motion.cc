@@ -12,11 +12,10 @@ namespace {
 
 void check_one(const SampledMotion& motion) {
   const auto& [time, displacement] = motion;
-  require(
-      time.size() == displacement.size() && time.size() >= 2,
-      fmt::format("support motion: {} times and {} displacements, but both must be equally many "
-                  "and at least 2; give one displacement per time",
-                  time.size(), displacement.size()));
+  require(time.size() == displacement.size() && time.size() >= 2,
+          fmt::format("support motion: {} times and {} displacements, but both must have the same "
+                      "number, at least 2; give one displacement per time",
+                      time.size(), displacement.size()));
   require(
       time.front() >= 0 && displacement.front() == 0,
       fmt::format("support motion: the first sample is {} m at {} s, but the support rests at 0 "
@@ -28,7 +27,7 @@ void check_one(const SampledMotion& motion) {
                         displacement[i], time[i]));
     require(i == 0 || time[i] > time[i - 1],
             fmt::format("support motion: the time of sample {}, {} s, is not greater than that of "
-                        "the sample before, {} s; sort the samples and drop repeated times",
+                        "the previous sample, {} s; sort the samples and drop repeated times",
                         i, time[i], i == 0 ? 0. : time[i - 1]));
   }
 }
@@ -157,7 +156,7 @@ SupportMotion pulse_train(const SupportMotion& pulse, int count, double period) 
   check(pulse);
   const auto* one = std::get_if<SampledMotion>(&pulse);
   require(one != nullptr && one->displacement.back() == 0,
-          "pulse train: only pulses that end where they began can be repeated");
+          "pulse train: only pulses that end where they begin can be repeated");
   require(count >= 1, fmt::format("pulse train: {} pulses, but at least 1 is needed", count));
   require(
       count == 1 || period >= one->time.back() - one->time.front(),
@@ -167,7 +166,7 @@ SupportMotion pulse_train(const SupportMotion& pulse, int count, double period) 
   for (int n = 0; n < count; ++n)
     for (std::size_t i = 0; i < one->time.size(); ++i) {
       const double time = n * period + one->time[i];
-      // Where a pulse begins as the one before it ends, the two share a sample.
+      // A pulse that begins when the previous one ends shares a sample with it.
       if (!train.time.empty() && time <= train.time.back() * (1 + 1e-12)) continue;
       train.time.push_back(time);
       train.displacement.push_back(one->displacement[i]);

@@ -9,12 +9,6 @@
 
 namespace zona::beam {
 
-std::vector<double> relative_displacement(const TipHistory& history) {
-  std::vector<double> relative(history.displacement);
-  for (std::size_t i = 0; i < relative.size(); ++i) relative[i] -= history.support[i];
-  return relative;
-}
-
 std::size_t index_of_peak(const std::vector<double>& values) {
   const auto peak = std::max_element(values.begin(), values.end(),
                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -24,8 +18,8 @@ std::size_t index_of_peak(const std::vector<double>& values) {
 double amplitude_ratio(const TipHistory& history, double support_peak) {
   require(
       std::isfinite(support_peak) && support_peak != 0,
-      fmt::format("amplitude ratio: the peak support displacement is {} m, but the ratio needs one "
-                  "that is not 0; move the support",
+      fmt::format("amplitude ratio: the peak support displacement is {} m, but it must be finite "
+                  "and not 0; move the support",
                   support_peak));
   require(!history.displacement.empty(), "amplitude ratio: the history has no samples");
   const double peak = history.displacement[index_of_peak(history.displacement)];

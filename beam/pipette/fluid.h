@@ -6,20 +6,20 @@
 
 namespace zona::beam {
 
-/// What fills the bore of the pipette. Across itself the beam feels its density only, along itself
-/// its viscosity, too.
+/// A fluid in the bore of the pipette. Its density affects motion across the pipette; density and
+/// viscosity affect motion along it.
 struct Fluid {
-  std::string name;      ///< what studies call it
+  std::string name;      ///< name in studies
   double density = 0;    ///< [kg/m^3]
   double viscosity = 0;  ///< [Pa s]
-  std::string source;    ///< where both come from
+  std::string source;    ///< reference of both values
 };
 
-/// The fills of Table 5.7, the empty pipette and fluids that might take the place of mercury, in
-/// the order of increasing density.
+/// The empty pipette, the fills of Table 5.7 and possible replacements of mercury, by increasing
+/// density.
 const std::vector<Fluid>& named_fluids();
 
-/// The named fluid; throws std::invalid_argument that lists the known names for any other.
+/// The fluid with this name. Throws std::invalid_argument with the known names for any other.
 const Fluid& named_fluid(std::string_view name);
 
 }  // namespace zona::beam

@@ -7,14 +7,12 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// K1(z) / K0(z) for |arg z| <= pi/4.
 Complex bessel_quotient(Complex z) {
-  // The integrand is analytic for |Im t| < pi/4: the error is exp(-pi^2 / (2 step)) while z is
-  // small, and exp(-sqrt(2) pi^2 / (step^2 |z|)) where the integrand is as narrow as 1/sqrt(z).
+  // The integrand is analytic for |Im t| < pi/4. The error is exp(-pi^2 / (2 step)) for small z,
+  // and exp(-sqrt(2) pi^2 / (step^2 |z|)) for large z, where the integrand has the width 1/sqrt(z).
   const double step = 0.16 / std::sqrt(1 + 0.056 * std::abs(z));
-  constexpr double negligible = 40;  // exp(-40)
+  constexpr double negligible = 40;  // exponent of negligible terms, exp(-40)
   Complex k0 = 0.5, k1 = 0.5;        // both scaled by exp(z)
   for (int i = 1;; ++i) {
     const double t = i * step;
@@ -40,7 +38,7 @@ Complex bore_ratio(Complex lambda) {
     return lambda - 0.5 -
            y * (1 / 8. + y * (1 / 8. + y * (25 / 128. + y * (13 / 32. + y * (1073 / 1024.)))));
   }
-  // lambda^2/(2 + lambda^2/(4 + lambda^2/(6 + ...))), whose terms matter up to about |lambda|.
+  // lambda^2/(2 + lambda^2/(4 + lambda^2/(6 + ...))) needs about |lambda| terms.
   const Complex square = lambda * lambda;
   const int terms = 20 + static_cast<int>(size);
   Complex rest = 2. * terms;
@@ -48,24 +46,10 @@ Complex bore_ratio(Complex lambda) {
   return square / rest;
 }
 
-Complex hydrodynamic_function(double reynolds_number) {
-  // s = -i omega, so that lambda^2 = -i Re.
-  const Complex lambda = std::sqrt(Complex(0, -reynolds_number));
-  return 1. + 4. * outer_ratio(lambda) / (lambda * lambda);
-}
-
-CylinderLoad cylinder_load(const Liquid& liquid, double radius, double angular_frequency) {
-  const double area = kPi * radius * radius;
-  const Complex gamma = hydrodynamic_function(liquid.density * angular_frequency * radius * radius /
-                                              liquid.viscosity);
-  return {liquid.density * area * gamma.real(),
-          liquid.density * area * angular_frequency * gamma.imag()};
-}
-
 Complex viscous_load(Flow flow, const Liquid& liquid, double radius, Complex s) {
   const Complex lambda = radius * std::sqrt(s * liquid.density / liquid.viscosity);
   const Complex ratio = flow == Flow::within ? bore_ratio(lambda) : outer_ratio(lambda);
-  return (flow == Flow::across ? 4 : 2) * kPi * liquid.viscosity * ratio;
+  return (flow == Flow::across ? 4 : 2) * M_PI * liquid.viscosity * ratio;
 }
 
 }  // namespace zona::beam

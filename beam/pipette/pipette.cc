@@ -10,9 +10,8 @@
 namespace zona::beam {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kSlenderness = 10;
-constexpr int kMostElements = 1000;
+constexpr double min_slenderness = 10;
+constexpr int max_elements = 1000;
 
 void require_positive(const char* name, double value, const char* unit) {
   require(is_positive(value),
@@ -21,8 +20,8 @@ void require_positive(const char* name, double value, const char* unit) {
                       name, value, unit));
 }
 
-void require_not_negative(const char* name, double value, const char* unit) {
-  require(is_not_negative(value),
+void require_non_negative(const char* name, double value, const char* unit) {
+  require(is_non_negative(value),
           fmt::format("pipette: {} is {} {}, but it must be finite and at least 0; use 0 for none",
                       name, value, unit));
 }
@@ -42,7 +41,7 @@ void check_profile(const Pipette& pipette) {
                         "increase from 0 and not exceed the length, {} m; sort it",
                         d.from_tip, pipette.length));
     require_positive("outer_diameter of the profile", d.outer, "m");
-    require_not_negative("inner_diameter of the profile", d.inner, "m");
+    require_non_negative("inner_diameter of the profile", d.inner, "m");
     check_diameters(" of the profile", d.outer, d.inner);
     before = d.from_tip;
   }
@@ -53,9 +52,9 @@ void check_columns(const Pipette& pipette) {
     require(
         column.start >= 0 && column.end > column.start && std::isfinite(column.end),
         fmt::format("pipette: a column of fluid from {} to {} m from the tip, but it must begin "
-                    "at 0 or more and end later",
+                    "at 0 or more and end later than it begins",
                     column.start, column.end));
-    require_not_negative("density of a column", column.density, "kg/m^3");
+    require_non_negative("density of a column", column.density, "kg/m^3");
     require_positive("viscosity of a column", column.viscosity, "Pa s");
   }
 }
@@ -64,9 +63,9 @@ void check_bath(const Bath& bath) {
   if (bath.model == BathModel::none) return;
   require_positive("density of the bath", bath.liquid.density, "kg/m^3");
   require_positive("viscosity of the bath", bath.liquid.viscosity, "Pa s");
-  require_not_negative("immersed_length", bath.immersed_length, "m");
+  require_non_negative("immersed_length", bath.immersed_length, "m");
   require_positive("frequency of the bath", bath.frequency, "Hz");
-  require_not_negative("drag_coefficient", bath.drag_coefficient, "");
+  require_non_negative("drag_coefficient", bath.drag_coefficient, "");
 }
 
 double square(double x) {
@@ -78,14 +77,14 @@ double square(double x) {
 void check(const Pipette& pipette) {
   require_positive("length", pipette.length, "m");
   require_positive("outer_diameter", pipette.outer_diameter, "m");
-  require_not_negative("inner_diameter", pipette.inner_diameter, "m");
+  require_non_negative("inner_diameter", pipette.inner_diameter, "m");
   require_positive("youngs_modulus", pipette.youngs_modulus, "Pa");
   require_positive("density", pipette.density, "kg/m^3");
-  require_not_negative("fill_density", pipette.fill_density, "kg/m^3");
+  require_non_negative("fill_density", pipette.fill_density, "kg/m^3");
   require_positive("fill_viscosity", pipette.fill_viscosity, "Pa s");
-  require_not_negative("damping_alpha", pipette.damping_alpha, "1/s");
-  require_not_negative("damping_beta", pipette.damping_beta, "s");
-  require_not_negative("loss_factor", pipette.loss_factor, "");
+  require_non_negative("damping_alpha", pipette.damping_alpha, "1/s");
+  require_non_negative("damping_beta", pipette.damping_beta, "s");
+  require_non_negative("loss_factor", pipette.loss_factor, "");
   require_positive("loss_frequency", pipette.loss_frequency, "Hz");
   check_diameters("", pipette.outer_diameter, pipette.inner_diameter);
   check_profile(pipette);
@@ -93,14 +92,14 @@ void check(const Pipette& pipette) {
   check_bath(pipette.bath);
   double widest = pipette.profile.empty() ? pipette.outer_diameter : 0;
   for (const Diameters& d : pipette.profile) widest = std::max(widest, d.outer);
-  require(pipette.length >= kSlenderness * widest,
+  require(pipette.length >= min_slenderness * widest,
           fmt::format("pipette: length is {} m, but Euler-Bernoulli theory needs at least {} outer "
                       "diameters, {} m; lengthen the pipette or thin it",
-                      pipette.length, kSlenderness, kSlenderness * widest));
-  require(pipette.elements >= 1 && pipette.elements <= kMostElements,
+                      pipette.length, min_slenderness, min_slenderness * widest));
+  require(pipette.elements >= 1 && pipette.elements <= max_elements,
           fmt::format("pipette: elements is {}, but it must lie between 1 and {}; 20 is the "
                       "dissertation's choice, 80 err by about 1 %",
-                      pipette.elements, kMostElements));
+                      pipette.elements, max_elements));
 }
 
 Diameters diameters_at(const Pipette& pipette, double x) {
@@ -118,17 +117,17 @@ Diameters diameters_at(const Pipette& pipette, double x) {
 }
 
 double glass_area(const Diameters& diameters) {
-  return kPi / 4 * (square(diameters.outer) - square(diameters.inner));
+  return M_PI / 4 * (square(diameters.outer) - square(diameters.inner));
 }
 
 double second_moment_of_area(const Diameters& diameters) {
-  return kPi / 64 * (square(square(diameters.outer)) - square(square(diameters.inner)));
+  return M_PI / 64 * (square(square(diameters.outer)) - square(square(diameters.inner)));
 }
 
 double mass_per_length(const Diameters& diameters, double glass_density, double fill_density) {
   const double outer = square(diameters.outer);
   const double bore = square(diameters.inner);
-  return kPi / 4 * ((outer - bore) * glass_density + bore * fill_density);
+  return M_PI / 4 * ((outer - bore) * glass_density + bore * fill_density);
 }
 
 double second_moment_of_area(const Pipette& pipette) {

@@ -13,23 +13,21 @@ namespace zona::beam {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// Chebyshev points between two radii, evenly in the angle of their logarithm; one for equal radii.
+/// Chebyshev points in the logarithm of the radius, between two radii; one point for equal radii.
 std::vector<double> radius_nodes(Flow flow, double least, double greatest) {
   const double span = std::log(greatest / least);
   if (span < 1e-12) return {least};
-  // Viscous loads are smooth in ln a, less so in a bore, whose poles are near: this many keep them
-  // to 1e-5, in a bore to 1e-4.
+  // Viscous loads are smooth in ln a, less so in a bore, whose poles are near. With this number of
+  // points they err by 1e-5, in a bore by 1e-4.
   const int per_span = flow == Flow::within ? 5 : 2;
   const int count = 4 + static_cast<int>(std::ceil(per_span * span));
   std::vector<double> nodes;
   for (int k = 0; k < count; ++k)
-    nodes.push_back(least * std::exp(span / 2 * (1 - std::cos(kPi * (k + 0.5) / count))));
+    nodes.push_back(least * std::exp(span / 2 * (1 - std::cos(M_PI * (k + 0.5) / count))));
   return nodes;
 }
 
-/// Lagrange's polynomial k of ln a over the nodes.
+/// Lagrange polynomial k of ln a over the nodes.
 double lagrange(const std::vector<double>& nodes, std::size_t k, double radius) {
   double value = 1;
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -37,7 +35,7 @@ double lagrange(const std::vector<double>& nodes, std::size_t k, double radius) 
   return value;
 }
 
-/// Adds the viscous loads of one liquid on points of the quadrature where it has this radius.
+/// Adds the viscous loads of one liquid on quadrature points, for walls with radius(x).
 void add_viscous_loads(const ViscousLoad& kind, const std::vector<QuadraturePoint>& points,
                        const std::function<double(double)>& radius, int size,
                        LiquidLoads& liquids) {
@@ -68,7 +66,7 @@ double outer_radius(const Pipette& pipette, double x) {
   return diameters_at(pipette, x).outer / 2;
 }
 
-/// The viscous loads of the bath; returns the points that are immersed.
+/// Adds the viscous loads of the bath and returns the immersed points.
 std::vector<QuadraturePoint> add_bath(const Pipette& pipette, Flow flow,
                                       const std::vector<QuadraturePoint>& points, int size,
                                       LiquidLoads& liquids) {
@@ -77,13 +75,13 @@ std::vector<QuadraturePoint> add_bath(const Pipette& pipette, Flow flow,
   const double from = immersed_from(pipette);
   std::vector<QuadraturePoint> immersed =
       points_where(points, [&](const QuadraturePoint& point) { return point.x >= from; });
-  ViscousLoad kind{flow, bath.liquid, 0, bath.model, 2 * kPi * bath.frequency, {}};
+  ViscousLoad kind{flow, bath.liquid, 0, bath.model, 2 * M_PI * bath.frequency, {}};
   add_viscous_loads(
       kind, immersed, [&](double x) { return outer_radius(pipette, x); }, size, liquids);
   return immersed;
 }
 
-/// What a bath does to a pipette that moves across itself.
+/// Loads of the bath on a pipette that moves across its axis.
 LiquidLoads liquids_across(const Pipette& pipette, const std::vector<QuadraturePoint>& points,
                            int size) {
   LiquidLoads liquids;
@@ -93,7 +91,7 @@ LiquidLoads liquids_across(const Pipette& pipette, const std::vector<QuadratureP
   const Bath& bath = pipette.bath;
   liquids.displaced = distribute(immersed, size, [&](double x) {
     const double radius = outer_radius(pipette, x);
-    return bath.liquid.density * kPi * radius * radius;
+    return bath.liquid.density * M_PI * radius * radius;
   });
   if (bath.drag_coefficient > 0) {
     liquids.drag = immersed;
@@ -103,7 +101,7 @@ LiquidLoads liquids_across(const Pipette& pipette, const std::vector<QuadratureP
   return liquids;
 }
 
-/// What bath and fill do to a pipette that moves along itself.
+/// Loads of bath and fill on a pipette that moves along its axis.
 LiquidLoads liquids_along(const Pipette& pipette, const std::vector<QuadraturePoint>& points,
                           int size) {
   LiquidLoads liquids;
@@ -112,16 +110,15 @@ LiquidLoads liquids_along(const Pipette& pipette, const std::vector<QuadraturePo
   std::vector<QuadraturePoint> filled = points_where(points, [&](const QuadraturePoint& point) {
     return bore(point.x) > 0 && fill_at(pipette, point.x).density > 0;
   });
-  // Fluid by fluid.
-  while (!filled.empty()) {
+  while (!filled.empty()) {  // one fluid after the other
     const Liquid fluid = fill_at(pipette, filled.front().x);
-    const auto is_it = [&](const QuadraturePoint& point) {
+    const auto has_fluid = [&](const QuadraturePoint& point) {
       const Liquid here = fill_at(pipette, point.x);
       return here.density == fluid.density && here.viscosity == fluid.viscosity;
     };
     add_viscous_loads({Flow::within, fluid, 0, BathModel::frequency, 0, {}},
-                      points_where(filled, is_it), bore, size, liquids);
-    filled.erase(std::remove_if(filled.begin(), filled.end(), is_it), filled.end());
+                      points_where(filled, has_fluid), bore, size, liquids);
+    filled.erase(std::remove_if(filled.begin(), filled.end(), has_fluid), filled.end());
   }
   if (liquids.act()) liquids.displaced = {SymmetricBand(size), Eigen::VectorXd::Zero(size)};
   return liquids;
@@ -132,9 +129,9 @@ BeamSystem system_of(const Pipette& pipette, const Section& section, const BeamL
   system.damping_alpha = pipette.damping_alpha;
   system.damping_beta = pipette.damping_beta;
   system.loss_factor = pipette.loss_factor;
-  system.loss_frequency = 2 * kPi * pipette.loss_frequency;
+  system.loss_frequency = 2 * M_PI * pipette.loss_frequency;
   const bool bends = layout.deformation == Deformation::bending;
-  if (bends && pipette.bath.model == BathModel::none) return system;  // fluids are mass
+  if (bends && pipette.bath.model == BathModel::none) return system;  // the fill only adds mass
   const std::vector<QuadraturePoint> points = quadrature_points(section, layout);
   system.liquids = bends ? liquids_across(pipette, points, system.size())
                          : liquids_along(pipette, points, system.size());

@@ -11,8 +11,8 @@ Eigen::VectorXd NaturalModes::frequency() const {
 }
 
 NaturalModes natural_modes(const BeamSystem& system) {
-  // Rotations are scaled by the element length first, so that all entries of a matrix have one unit
-  // and one magnitude: the lowest frequency of a fine mesh keeps more digits.
+  // Scale to a unit diagonal of the mass, so that all entries of a matrix have the same unit and
+  // magnitude: the lowest frequency of a fine mesh keeps more digits.
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(system.size());
   const Eigen::MatrixXd raw_mass = system.mass.dense();
   for (int i = 0; i < system.size(); ++i) scale(i) = 1 / std::sqrt(raw_mass(i, i));

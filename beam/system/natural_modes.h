@@ -6,7 +6,7 @@
 
 namespace zona::beam {
 
-/// Undamped modes K phi = omega^2 M phi of a beam, by increasing frequency, with phi^T M phi = 1.
+/// Undamped modes K phi = omega^2 M phi of a beam by increasing frequency, with phi^T M phi = 1.
 struct NaturalModes {
   Eigen::VectorXd angular_frequency;  ///< omega [rad/s]
   Eigen::MatrixXd shape;              ///< one mode per column, free degrees of freedom per row
@@ -16,7 +16,8 @@ struct NaturalModes {
   Eigen::VectorXd frequency() const;  ///< f = omega / (2 pi) [Hz]
 };
 
-/// All modes of a beam, as many as it has degrees of freedom, from its finite elements.
+/// All modes of a beam, one per degree of freedom. Throws std::runtime_error if the eigenvalue
+/// solver does not converge.
 NaturalModes natural_modes(const BeamSystem& system);
 
 }  // namespace zona::beam

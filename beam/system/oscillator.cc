@@ -17,7 +17,7 @@ ImpulseResponse impulse_response(double omega, double sigma, double time) {
     const double sine = decay * std::sin(damped * time) / damped;
     return {sine, decay * std::cos(damped * time) - sigma * sine};
   }
-  // Overdamped: two real rates, of which the slow one is omega^2 / fast to keep its digits.
+  // Overdamped: two real rates. omega^2 / fast gives the slow one without cancellation.
   const double spread = std::sqrt(-discriminant);
   const double fast = sigma + spread;
   const double slow = omega * omega / fast;

@@ -4,8 +4,7 @@
 
 namespace zona::beam {
 
-/// Half of the damping coefficient of a mode under Rayleigh damping, (alpha + beta omega^2) / 2
-/// [1/s].
+/// Decay rate of a mode under Rayleigh damping, (alpha + beta omega^2) / 2 [1/s].
 Eigen::ArrayXd decay_rate(const Eigen::ArrayXd& angular_frequency, double alpha, double beta);
 
 /// Exact solution operator over a time span of the oscillators x'' + 2 sigma x' + omega^2 x = 0:
@@ -21,14 +20,13 @@ struct OscillatorTransition {
 OscillatorTransition transition(const Eigen::ArrayXd& angular_frequency,
                                 const Eigen::ArrayXd& decay_rate, double time);
 
-/// Displacement of one such oscillator `time` after it was at rest and its velocity jumped to 1,
-/// and the velocity then. Zero before the jump.
+/// Response of one such oscillator at rest to a unit jump of its velocity; zero before the jump.
 struct ImpulseResponse {
   double displacement = 0;  ///< per velocity of the jump [s]
   double velocity = 0;      ///< per velocity of the jump [-]
 };
 
-/// The response `time` [s] after the jump, for omega [rad/s] and sigma [1/s].
+/// The response at `time` [s] after the jump, for omega [rad/s] and sigma [1/s].
 ImpulseResponse impulse_response(double angular_frequency, double decay_rate, double time);
 
 }  // namespace zona::beam

@@ -9,36 +9,36 @@
 namespace zona::beam {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// 2 / (pi^2 (J0^2 + Y0^2)) at x = exp(u/2).
 double viscous_weight(double u) {
   constexpr double large =
-      7.8;  // x = 50: the next term of the series is 1e-6 of the last one taken
+      7.8;  // x = 50, where the next term of the series is 1e-6 of the last one
   if (u > large) {
     const double y = std::exp(-u);  // 1/x^2; J0^2 + Y0^2 = 2/(pi x) (1 - y/8 + 27 y^2/128 - ...)
-    return std::exp(u / 2) / (kPi * (1 - y / 8 + 27 * y * y / 128));
+    return std::exp(u / 2) / (M_PI * (1 - y / 8 + 27 * y * y / 128));
   }
   const double x = std::exp(u / 2);
   const double j = std::cyl_bessel_j(0, x);
   const double y = std::cyl_neumann(0, x);
-  return 2 / (kPi * kPi * (j * j + y * y));
+  return 2 / (M_PI * M_PI * (j * j + y * y));
 }
 
-/// Sum of spacing * viscous_weight at u - spacing, u - 2 spacing, ... without end.
+/// Infinite sum of spacing * viscous_weight at u - spacing, u - 2 spacing, ...
 double slower_weights(double u, double spacing) {
-  // For x < 5e-5 the weight is 2 / (pi^2 + (u - c)^2) to 1e-8; then Euler-Maclaurin.
+  // For x < 5e-5 the weight is 2 / (pi^2 + (u - c)^2) up to 1e-8; Euler-Maclaurin formula for
+  // these.
   constexpr double small = -20;
   constexpr double c = 2 * 0.69314718055994531 - 2 * 0.57721566490153286;
   double sum = 0;
   for (u -= spacing; u > small; u -= spacing) sum += spacing * viscous_weight(u);
   const double distance = u - c;
-  const double nearest = kPi * kPi + distance * distance;
-  return sum + 2 / kPi * (kPi / 2 + std::atan(distance / kPi)) + spacing / nearest -
+  const double nearest = M_PI * M_PI + distance * distance;
+  return sum + 2 / M_PI * (M_PI / 2 + std::atan(distance / M_PI)) + spacing / nearest -
          spacing * spacing / 12 * 4 * distance / (nearest * nearest);
 }
 
-/// Sum of spacing * viscous_weight * exp(-ln p) relative to p at u + spacing, u + 2 spacing, ...
+/// Infinite sum of spacing * viscous_weight / p at u + spacing, u + 2 spacing, ..., where p is the
+/// rate relative to that at u.
 double faster_weights(double u, double spacing) {
   double sum = 0;
   for (int i = 1;; ++i) {
@@ -48,7 +48,7 @@ double faster_weights(double u, double spacing) {
   }
 }
 
-/// lambda K1/K0 of a cylinder.
+/// lambda K1/K0 around a cylinder.
 Relaxation outer_relaxation(const RateLadder& ladder, double diffusion_time) {
   const double scale = std::log(diffusion_time);
   const Eigen::Index last = ladder.rate.size() - 1;
@@ -62,10 +62,10 @@ Relaxation outer_relaxation(const RateLadder& ladder, double diffusion_time) {
   return relaxation;
 }
 
-/// The n-th zero of the Bessel function J0, from 1 on: McMahon's series, and Newton's steps where
-/// that is short of digits.
+/// n-th zero of the Bessel function J0, n >= 1: McMahon's series, with Newton steps for the first
+/// ten zeros, where the series is inaccurate.
 double zero_of_j0(int n) {
-  const double beta = (n - 0.25) * kPi;
+  const double beta = (n - 0.25) * M_PI;
   const double y = 1 / (8 * beta);
   double zero = beta + y - 124. / 3 * y * y * y + 120928. / 15 * std::pow(y, 5);
   if (n > 10) return zero;
@@ -74,18 +74,18 @@ double zero_of_j0(int n) {
   return zero;
 }
 
-/// Lagrange's cubics on -1, 0, 1 and 2 at t.
+/// Lagrange cubics on -1, 0, 1 and 2, at t.
 Eigen::Array4d cubic_shares(double t) {
   return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
           (t + 1) * t * (t - 1) / 6};
 }
 
-/// lambda I1/I0 of a bore.
+/// lambda I1/I0 in a bore.
 Relaxation bore_relaxation(const RateLadder& ladder, double diffusion_time) {
   const Eigen::Index last = ladder.rate.size() - 1;
   Relaxation relaxation;
   relaxation.weight = Eigen::ArrayXd::Zero(last + 1);
-  double missing = 0.25;  // sum of 1/j_n^2 of the poles that are still to come
+  double missing = 0.25;  // sum of 1/j_n^2 over the remaining poles
   for (int n = 1;; ++n) {
     const double square = std::pow(zero_of_j0(n), 2);
     const double place = std::log(square / diffusion_time / ladder.rate(0)) / ladder.spacing;
@@ -109,7 +109,7 @@ RateLadder RateLadder::over(double lowest, double highest, double spacing) {
           fmt::format("relaxation rates: frequencies from {} to {} rad/s at spacing {}, but they "
                       "must be above 0 and increase",
                       lowest, highest, spacing));
-  // What lies below acts as a constant to first order in p/omega, what lies above to order 3/2.
+  // Rates below act as a constant, to first order in p/omega; rates above as a slope, to order 3/2.
   constexpr double below = 1000, above = 100;
   const double first = std::log(lowest / below);
   const auto count =
@@ -125,7 +125,7 @@ Relaxation viscous_relaxation(Flow flow, const RateLadder& ladder, const Liquid&
   const double diffusion_time = radius * radius * liquid.density / liquid.viscosity;
   Relaxation relaxation = flow == Flow::within ? bore_relaxation(ladder, diffusion_time)
                                                : outer_relaxation(ladder, diffusion_time);
-  const double scale = (flow == Flow::across ? 4 : 2) * kPi * liquid.viscosity;
+  const double scale = (flow == Flow::across ? 4 : 2) * M_PI * liquid.viscosity;
   relaxation.weight *= scale;
   relaxation.instant *= scale;
   relaxation.slope *= scale;
@@ -133,21 +133,21 @@ Relaxation viscous_relaxation(Flow flow, const RateLadder& ladder, const Liquid&
 }
 
 Relaxation loss_relaxation(const RateLadder& ladder, double loss_factor, double reference) {
-  const double a = 2 / kPi * std::atan(loss_factor);
+  const double a = 2 / M_PI * std::atan(loss_factor);
   const double h = ladder.spacing;
-  const double scale = h * std::sin(a * kPi) / (kPi * std::cos(a * kPi / 2));
+  const double scale = h * std::sin(a * M_PI) / (M_PI * std::cos(a * M_PI / 2));
   Relaxation relaxation;
   relaxation.weight = scale * (ladder.rate / reference).pow(a);
   const Eigen::Index last = ladder.rate.size() - 1;
-  // Geometric series below and above the ladder.
+  // Geometric series for the rates below and above the ladder.
   relaxation.instant = relaxation.weight(0) / std::expm1(a * h);
   relaxation.slope = relaxation.weight(last) / std::expm1((1 - a) * h) / ladder.rate(last);
   return relaxation;
 }
 
 std::complex<double> loss_modulus(std::complex<double> s, double loss_factor, double reference) {
-  const double a = 2 / kPi * std::atan(loss_factor);
-  return std::pow(s / reference, a) / std::cos(a * kPi / 2);
+  const double a = 2 / M_PI * std::atan(loss_factor);
+  return std::pow(s / reference, a) / std::cos(a * M_PI / 2);
 }
 
 std::complex<double> evaluate(const RateLadder& ladder, const Relaxation& relaxation,

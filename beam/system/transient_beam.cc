@@ -9,9 +9,7 @@
 namespace zona::beam {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// A load as it is at one frequency: mass and drag.
+/// Adds the mass and drag of a load at its one frequency.
 void add_constant_load(const ViscousLoad& load, TransientBeam& beam) {
   const std::complex<double> value =
       viscous_load(load.flow, load.liquid, load.radius, {0, load.angular_frequency});
@@ -22,13 +20,13 @@ void add_constant_load(const ViscousLoad& load, TransientBeam& beam) {
   beam.support_damping += value.real() * load.share.support;
 }
 
-/// One more column of weights.
+/// Adds a load with memory, as one more column of weights.
 void add_load_with_memory(const ViscousLoad& load, const RateLadder& ladder, TransientBeam& beam) {
   const Relaxation relaxation = viscous_relaxation(load.flow, ladder, load.liquid, load.radius);
-  // s/(s + p) of the velocity is the velocity less p y.
-  const double at_once = relaxation.instant + relaxation.weight.sum();
-  beam.damping.accumulate(at_once, load.share.matrix);
-  beam.support_damping += at_once * load.share.support;
+  // s/(s + p) times the velocity is the velocity minus p y.
+  const double immediate = relaxation.instant + relaxation.weight.sum();
+  beam.damping.accumulate(immediate, load.share.matrix);
+  beam.support_damping += immediate * load.share.support;
   beam.mass.accumulate(relaxation.slope, load.share.matrix);
   beam.support_mass += relaxation.slope * load.share.support;
   beam.weight.conservativeResize(Eigen::NoChange, beam.weight.cols() + 1);
@@ -37,7 +35,7 @@ void add_load_with_memory(const ViscousLoad& load, const RateLadder& ladder, Tra
   beam.support.push_back(load.share.support);
 }
 
-/// Rates for what a beam remembers; none where it remembers nothing.
+/// Rates for the loads with memory; empty without such loads.
 RateLadder ladder_for(const BeamSystem& system, const FrequencySpan& span) {
   const auto& loads = system.liquids.viscous;
   const bool has_bore = std::any_of(loads.begin(), loads.end(), [](const ViscousLoad& load) {
@@ -49,7 +47,8 @@ RateLadder ladder_for(const BeamSystem& system, const FrequencySpan& span) {
   return {};
 }
 
-/// The stiffness takes y itself, as s/(s + p) of the displacement.
+/// Adds the loss factor. Its Maxwell elements act on y itself, which is s/(s + p) times the
+/// displacement.
 void add_loss(const BeamSystem& system, const RateLadder& ladder, TransientBeam& beam) {
   const Relaxation modulus = loss_relaxation(ladder, system.loss_factor, system.loss_frequency);
   beam.stiffness.combine(modulus.instant, system.stiffness, 0, system.stiffness);
@@ -65,8 +64,8 @@ void add_loss(const BeamSystem& system, const RateLadder& ladder, TransientBeam&
 TransientBeam transient_beam(const BeamSystem& system, const FrequencySpan& span) {
   const LiquidLoads& liquids = system.liquids;
   require(!liquids.has_bath(BathModel::per_mode),
-          "bath: per_mode has a meaning for modal superposition only; choose it, or another model "
-          "of the bath");
+          "bath: the model per_mode works with modal superposition only; choose that integrator, "
+          "or another model of the bath");
   TransientBeam beam;
   beam.mass = system.mass;
   beam.stiffness = system.stiffness;

@@ -8,27 +8,27 @@
 
 namespace zona::beam {
 
-/// Angular frequencies between which a transient beam represents what depends on frequency [rad/s].
+/// Range of angular frequencies for the Maxwell elements of a transient beam.
 struct FrequencySpan {
   double lowest = 0;   ///< [rad/s]
   double highest = 0;  ///< [rad/s]
 };
 
-/// A beam in the form that integrators in time take, its viscous load and its loss factor turned
-/// into Maxwell elements, which remember past velocities in variables y_j:
+/// A beam in the form for time integration. Maxwell elements represent its viscous loads and its
+/// loss factor, with memory variables y_j:
 ///
 ///     M q'' + C q' + K q + sum_k B_k sum_j w_jk y_j = -m g'' - c g' - sum_k b_k sum_j w_jk z_j,
 ///     y_j' = q' - p_j y_j,      z_j' = g' - p_j z_j.
 ///
-/// Without liquids and a loss factor it is BeamSystem's own equation. With BathModel::constant the
-/// bath is in M and C alone.
+/// Without liquids and a loss factor these are the equations of BeamSystem. BathModel::constant
+/// changes M and C only.
 struct TransientBeam {
   SymmetricBand mass;                    ///< M
-  SymmetricBand damping;                 ///< C, of rigidity and liquids together
+  SymmetricBand damping;                 ///< C, of structure and liquids
   SymmetricBand stiffness;               ///< K
   Eigen::VectorXd support_mass;          ///< m
   Eigen::VectorXd support_damping;       ///< c
-  bool is_damped = false;                ///< whether C is not zero
+  bool is_damped = false;                ///< true if C is not zero
   Eigen::ArrayXd rate;                   ///< p_j [1/s]
   std::vector<SymmetricBand> basis;      ///< B_k
   std::vector<Eigen::VectorXd> support;  ///< b_k
@@ -36,21 +36,21 @@ struct TransientBeam {
   std::vector<QuadraturePoint> drag;     ///< as in LiquidLoads
 
   int size() const { return mass.size(); }                        ///< degrees of freedom
-  int memories() const { return static_cast<int>(rate.size()); }  ///< how many y_j there are
+  int memories() const { return static_cast<int>(rate.size()); }  ///< number of y_j
 };
 
-/// Throws std::invalid_argument for BathModel::per_mode, which has no such form.
+/// The beam in this form. Throws std::invalid_argument for BathModel::per_mode, which has none.
 TransientBeam transient_beam(const BeamSystem& system, const FrequencySpan& span);
 
-/// The quadratic drag at given velocities: f = D(v) v + d(v) g', D = sum |V| weight N N^T with the
-/// absolute velocity V = N . v + r g' at each point.
+/// Quadratic drag f = D(v) v + d(v) g', where D = sum |V| weight N N^T with the absolute velocity
+/// V = N . v + r g' at each point.
 class QuadraticDrag {
  public:
   /// Keeps a reference to the beam.
   explicit QuadraticDrag(const TransientBeam& beam) : points_(&beam.drag), matrix_(beam.size()) {}
 
-  bool acts() const { return !points_->empty(); }  ///< whether there is any
-  /// Takes D and d at these relative velocities and this velocity of the support [m/s].
+  bool acts() const { return !points_->empty(); }  ///< true if the beam has quadratic drag
+  /// Computes D and d at these relative velocities and this velocity of the support [m/s].
   void linearise(const Eigen::VectorXd& velocity, double support_velocity);
   /// force += D v + d g' [N], [N m].
   void add_force(const Eigen::VectorXd& velocity, double support_velocity,
@@ -66,18 +66,18 @@ class QuadraticDrag {
   SymmetricBand matrix_;
 };
 
-/// g' of a support motion as `march` passes through it: it changes at kinks, and smoothly between
-/// them where the support moves as a sine.
+/// Velocity g' of a support while `march` advances: it jumps at kinks and, for a sine, varies
+/// between them.
 class SupportVelocity {
  public:
-  /// At rest before t = 0. Keeps a reference to the motion.
+  /// Starts at rest before t = 0. Keeps a reference to the motion.
   explicit SupportVelocity(const SupportMotion& motion) : motion_(&motion) {}
 
   double now() const { return value_; }       ///< [m/s]
-  void kick(double jump) { value_ += jump; }  ///< at a kink
-  void advance(double to);                    ///< to the end of a span without kinks
+  void kick(double jump) { value_ += jump; }  ///< applies the jump [m/s] of a kink
+  void advance(double to);                    ///< goes to the end [s] of a span without kinks
 
-  /// At a time [s] in the span after the last advance or kick.
+  /// Velocity [m/s] at a time [s] in the span after the last advance or kick.
   double at(double time) const;
 
  private:

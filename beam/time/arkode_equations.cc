@@ -85,7 +85,7 @@ void ArkodeEquations::solve_newton(double gamma, const View& right_side, View so
         gamma * (product_ + beam_.weight.col(k).dot(support_memory.matrix()) * beam_.support[k]);
   }
   operator_factor_.solve_in_place(acceleration_);
-  // In this order, because the solution may lie where the right side does.
+  // In this order, because solution and right side may share memory.
   for (int j = 0; j < memories_; ++j)
     solution.segment((2 + j) * n, n) = kept(j) * (memory.col(j) + gamma * acceleration_);
   solution.tail(memories_) = support_memory.matrix();

@@ -9,12 +9,11 @@
 
 namespace zona::beam {
 
-/// The beam as the first-order system (q, v, y_1, ..., y_J, z) of TransientBeam, with the Newton
-/// matrix I - gamma J (without the quadratic drag) solved through one banded factorisation of the
-/// beam's own size.
+/// TransientBeam as a first-order system with the state (q, v, y_1, ..., y_J, z). Solves the Newton
+/// matrix I - gamma J (without the quadratic drag) by one banded factorisation of the beam's size.
 class ArkodeEquations {
  public:
-  /// A vector in memory of SUNDIALS.
+  /// A vector that SUNDIALS owns.
   using View = Eigen::Map<Eigen::VectorXd>;
 
   /// Keeps a reference to the motion. Throws std::invalid_argument if the mass is not positive
@@ -23,20 +22,20 @@ class ArkodeEquations {
   ArkodeEquations(const ArkodeEquations&) = delete;
   ArkodeEquations& operator=(const ArkodeEquations&) = delete;
 
-  int state_size() const { return (2 + memories_) * size_ + memories_; }  ///< unknowns
-  bool is_linear() const { return !drag_.acts(); }     ///< whether there is no quadratic drag
-  const TransientBeam& beam() const { return beam_; }  ///< what is integrated
+  int state_size() const { return (2 + memories_) * size_ + memories_; }  ///< number of unknowns
+  bool is_linear() const { return !drag_.acts(); }     ///< true without quadratic drag
+  const TransientBeam& beam() const { return beam_; }  ///< the integrated beam
 
   /// rates = state' at this time.
   void rates(double time, const View& state, View rates);
 
-  /// solution = (I - gamma J)^-1 right_side; factorises only when gamma has changed.
+  /// solution = (I - gamma J)^-1 right_side; factorises only if gamma has changed.
   void solve_newton(double gamma, const View& right_side, View solution);
 
-  /// Jump of the state at a kink of g: v -= M^-1 m velocity_jump.
+  /// Applies a kink of g to the state: v -= M^-1 m velocity_jump.
   void kick(double velocity_jump, View state);
 
-  /// The observed point relative to the support in the state at `time` [s].
+  /// Motion of the observed point relative to the support, in the state at `time` [s].
   RelativeMotion observed(double time, const View& state);
 
  private:

@@ -16,7 +16,7 @@
 namespace zona::beam {
 namespace {
 
-constexpr long kMostSteps = 50'000'000;
+constexpr long max_steps = 50'000'000;
 
 struct FreeVector {
   void operator()(N_Vector vector) const { N_VDestroy(vector); }
@@ -45,7 +45,7 @@ SUNLinearSolver_Type matrix_embedded(SUNLinearSolver) {
   return SUNLINEARSOLVER_MATRIX_EMBEDDED;
 }
 
-/// What the linear solver needs of its surroundings: the equations and the current gamma.
+/// Data of the linear solver: the equations, and ARKODE for the current gamma.
 struct NewtonContext {
   ArkodeEquations* equations;
   void* arkode;
@@ -103,7 +103,7 @@ ArkodeStepper::Session::Session(const BeamSystem& system, const SupportMotion& m
   if (!arkode_) throw std::runtime_error("ARKODE: no memory for the integrator");
   expect_success(ARKStepSetErrHandlerFn(arkode_.get(), keep_message, &message_));
   expect_success(ARKStepSetUserData(arkode_.get(), &equations_));
-  expect_success(ARKStepSetMaxNumSteps(arkode_.get(), kMostSteps));
+  expect_success(ARKStepSetMaxNumSteps(arkode_.get(), max_steps));
   set_tolerances(system, motion, options);
   is_explicit ? use_explicit() : use_implicit();
 }
@@ -134,7 +134,7 @@ void ArkodeStepper::Session::set_tolerances(const BeamSystem& system, const Supp
     const double length = system.rotation[i] ? system.element_length : 1;
     tolerance(i) = options.absolute_tolerance / length;
     tolerance(size + i) = rate * tolerance(i);
-    // A memory is a displacement where it lasts, and a velocity over its rate where it does not.
+    // A slow memory variable is like a displacement, a fast one like a velocity over its rate.
     for (int j = 0; j < equations_.beam().memories(); ++j)
       tolerance((2 + j) * size + i) = tolerance(i) * std::min(1., rate / equations_.beam().rate(j));
   }
@@ -146,7 +146,7 @@ void ArkodeStepper::Session::set_tolerances(const BeamSystem& system, const Supp
 }
 
 void ArkodeStepper::Session::advance(double to) {
-  // Stopping on the sample costs less than the dense output of an order-8 method, and is as exact.
+  // Stopping at the sample costs less than dense output of an order-8 method and is as accurate.
   expect_success(ARKStepSetStopTime(arkode_.get(), to));
   expect_success(ARKStepEvolve(arkode_.get(), to, state_.get(), &time_, ARK_NORMAL));
 }

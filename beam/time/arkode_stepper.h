@@ -10,26 +10,26 @@
 
 namespace zona::beam {
 
-/// SUNDIALS ARKODE for `march`: the state of ArkodeEquations, steps adapted to the tolerances,
-/// ending on every sample and kink.
-/// Keeps a reference to the motion; SUNDIALS stays out of this header.
+/// Stepper for `march` by SUNDIALS ARKODE. It integrates ArkodeEquations with adaptive steps that
+/// end on every sample and kink. Keeps a reference to the motion. This header does not need
+/// SUNDIALS.
 class ArkodeStepper {
  public:
-  /// A beam at rest at t = 0. Throws std::runtime_error if SUNDIALS cannot be set up.
+  /// Starts at rest at t = 0. Throws std::runtime_error if SUNDIALS cannot be set up.
   ArkodeStepper(const BeamSystem& system, const SupportMotion& motion, const Arkode& options,
                 const FrequencySpan& span);
   ~ArkodeStepper();
 
   /// @{
-  /// What `march` asks of a stepper: goes from one instant to another [s]; changes the velocity at
-  /// a kink where the support's jumps by `velocity_jump` [m/s]; tells the motion of the observed
-  /// point. Throws std::runtime_error with the time reached when ARKODE gives up.
+  /// Interface for `march`: advance from one instant to another [s]; apply a kink of the support,
+  /// whose velocity jumps by `velocity_jump` [m/s]; return the motion of the observed point. Throw
+  /// std::runtime_error with the time reached if ARKODE fails.
   void advance(double from, double to);
   void kick(double time, double velocity_jump);
   RelativeMotion observed() const;
   /// @}
 
-  /// Steps taken so far.
+  /// Number of steps taken.
   long steps() const;
 
  private:

@@ -16,12 +16,10 @@
 namespace zona::beam {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// What can matter at these samples: from a tenth of a period in all to half the samples'
-/// frequency.
+/// Frequencies that the samples resolve: from a tenth of a period over all samples to half the
+/// sampling frequency.
 FrequencySpan span_of(const Sampling& sampling) {
-  return {0.1 * 2 * kPi / sampling.end, std::max(kPi / sampling.step, 2 * kPi / sampling.end)};
+  return {0.1 * 2 * M_PI / sampling.end, std::max(M_PI / sampling.step, 2 * M_PI / sampling.end)};
 }
 
 TipHistory integrate_with(const Newmark& newmark, const BeamSystem& system,
@@ -43,8 +41,8 @@ TipHistory integrate_with(const Modal& modal, const BeamSystem& system, const Su
                   modal.modes, system.size()));
   require(!system.liquids.has_bath(BathModel::frequency) &&
               !system.liquids.has_bath(BathModel::constant) && system.liquids.drag.empty(),
-          "modal superposition: in a bath it takes the model per_mode, without a quadratic drag; "
-          "choose these, or another integrator");
+          "modal superposition: a bath needs the model per_mode, without quadratic drag; choose "
+          "these, or another integrator");
   const int count = modal.modes == 0 ? system.size() : modal.modes;
   ModalStepper stepper(oscillators(system, natural_modes(system), count), motion, sampling.step);
   return march(system.support_share, motion, sampling, stepper);

@@ -15,7 +15,7 @@ struct RelativeMotion {
   double acceleration = 0;  ///< [m/s^2]
 };
 
-/// Appends one sample: relative motion plus the rigid motion with the support (5.73), (5.75).
+/// Appends a sample: relative motion plus the rigid motion with the support (5.73), (5.75).
 inline void record(TipHistory& history, const SupportMotion& motion, double support_share,
                    double time, const RelativeMotion& relative) {
   const double support = displacement(motion, time);
@@ -27,12 +27,12 @@ inline void record(TipHistory& history, const SupportMotion& motion, double supp
   history.support.push_back(support);
 }
 
-/// Drives a stepper over the samples, from rest, and stops it at every kink of the support motion,
-/// so that no step of any integrator ever contains one. The stepper offers
+/// Advances a stepper over the samples, from rest, and stops at every kink of the support motion,
+/// so that no step contains a kink. The stepper has
 ///     void advance(double from, double to)   over a span in which g'' is smooth,
 ///     void kick(double time, double jump)    relative velocity changes by -M^-1 m jump,
-///     RelativeMotion observed() const        now.
-/// A kink closer to a sample than a billionth of the sampling step is taken as on it.
+///     RelativeMotion observed() const        at the current time.
+/// A kink within 1e-9 sampling steps of a sample is moved onto it.
 template <class Stepper>
 TipHistory march(double support_share, const SupportMotion& motion, const Sampling& sampling,
                  Stepper& stepper) {

@@ -19,7 +19,7 @@ ModalOscillators oscillators(const NaturalModes& modes, int count, double alpha,
 
 namespace {
 
-/// What the liquids are to one mode at one frequency, all per modal mass.
+/// Loads of the liquids on one mode at one frequency, per modal mass.
 struct ModalLiquids {
   double mass = 0;          ///< [-]
   double drag = 0;          ///< [1/s]
@@ -58,7 +58,8 @@ class LiquidsOfMode {
   }
 
   const LiquidLoads& liquids_;
-  std::pair<double, double> displaced_;  ///< of the shape with itself, and with rigid motion
+  std::pair<double, double>
+      displaced_;  ///< products of the shape with itself and with rigid motion
   std::vector<std::pair<double, double>> share_;
 };
 
@@ -74,7 +75,7 @@ ModalOscillators oscillators(const BeamSystem& system, const NaturalModes& modes
       const double in_vacuum = modes.angular_frequency(n);
       double omega = in_vacuum;
       ModalLiquids load = of_mode.at(omega);
-      // Added mass changes slowly with frequency: every round gains more than a digit.
+      // Added mass varies slowly with frequency: every iteration gains more than a digit.
       for (int round = 0; round < 100; ++round) {
         const double next = in_vacuum / std::sqrt(1 + load.mass);
         load = of_mode.at(next);
@@ -131,7 +132,7 @@ void ModalStepper::add_steady_response(double time, double sign) {
 }
 
 void ModalStepper::apply(const OscillatorTransition& span) {
-  // Steady motion of the support drags the modes to a place of equilibrium.
+  // Constant velocity of the support shifts the equilibrium of the modes by the drag.
   const bool is_dragged = modes_.drag_participation.size() > 0 && support_velocity_ != 0;
   const Eigen::ArrayXd rest = is_dragged
                                   ? Eigen::ArrayXd(-support_velocity_ * modes_.drag_participation /
@@ -147,7 +148,7 @@ void ModalStepper::apply(const OscillatorTransition& span) {
 void ModalStepper::advance(double from, double to) {
   add_steady_response(from, -1);
   const double span = to - from;
-  // A whole sampling step, up to the rounding of the sample times, uses the prepared operator.
+  // A full sampling step, up to rounding of the sample times, uses the precomputed operator.
   if (std::abs(span - sampling_step_) < 1e-9 * sampling_step_)
     apply(sampling_transition_);
   else

@@ -25,14 +25,14 @@ NewmarkStepper::NewmarkStepper(const BeamSystem& system, const SupportMotion& mo
       remembered_(displacement_),
       product_(displacement_) {
   mass_factor_.solve_in_place(kick_);
-  settle(0);
+  compute_acceleration(0);
 }
 
 void NewmarkStepper::set_state(double time, const Eigen::VectorXd& displacement,
                                const Eigen::VectorXd& velocity) {
   displacement_ = displacement;
   velocity_ = velocity;
-  settle(time);
+  compute_acceleration(time);
 }
 
 void NewmarkStepper::factorise(double step) {
@@ -40,11 +40,11 @@ void NewmarkStepper::factorise(double step) {
   operator_.combine(1, beam_.mass, step * step / 4, beam_.stiffness);
   if (beam_.is_damped) operator_.accumulate(step / 2, beam_.damping);
   if (beam_.memories() > 0) {
-    // y' = q' - p y with a velocity that goes linearly from v0 to v1 in a step.
+    // y' = q' - p y with a velocity that varies linearly from v0 to v1 in a step.
     const Eigen::ArrayXd z = beam_.rate * step;
     const Eigen::ArrayXd mean = -(-z).unaryExpr([](double x) { return std::expm1(x); }) / z;
     kept_ = (-z).exp();
-    // (1 - mean) / z loses its digits for small z; there the series is exact.
+    // (1 - mean) / z cancels for small z, where the series is accurate.
     from_new_ = (z < 1e-3).select(step * (0.5 - z / 6 + z * z / 24), step * (1 - mean) / z);
     from_old_ = step * mean - from_new_;
     for (std::size_t k = 0; k < beam_.basis.size(); ++k) {
@@ -70,7 +70,7 @@ void NewmarkStepper::compute_force(double time, const Eigen::VectorXd& displacem
   }
 }
 
-void NewmarkStepper::settle(double time) {
+void NewmarkStepper::compute_acceleration(double time) {
   compute_force(time, displacement_, velocity_, acceleration_);
   if (drag_.acts()) {
     drag_.linearise(velocity_, support_velocity_.now());
@@ -102,9 +102,9 @@ void NewmarkStepper::step_to(double time) {
   const double support_before = support_velocity_.now();
   support_velocity_.advance(time);
   if (beam_.memories() > 0) advance_memories(support_before, predicted_);
-  // The drag is linear in the velocity where its speed |v| is taken from a guess. That at the
-  // step's beginning is corrected once; extrapolating instead would keep modes alive that a step
-  // cannot resolve.
+  // The drag is linear in the velocity if the speed |v| is given. The first pass uses the speed at
+  // the start of the step, the second one corrects it; extrapolation would keep modes alive that a
+  // step cannot resolve.
   const int passes = drag_.acts() ? 2 : 1;
   for (int pass = 0; pass < passes; ++pass) {
     if (drag_.acts()) include_drag(velocity_);
@@ -122,7 +122,7 @@ void NewmarkStepper::step_to(double time) {
 }
 
 void NewmarkStepper::advance(double from, double to) {
-  // The slack lets rounding of the sample times neither add a step nor factorise again.
+  // The tolerance keeps rounding of sample times from adding a step or a factorisation.
   const double span = to - from;
   const int steps = std::max(1, static_cast<int>(std::ceil(span / greatest_step_ - 1e-6)));
   const double step = span / steps;
@@ -133,7 +133,7 @@ void NewmarkStepper::advance(double from, double to) {
 void NewmarkStepper::kick(double time, double velocity_jump) {
   velocity_ -= velocity_jump * kick_;
   support_velocity_.kick(velocity_jump);
-  settle(time);
+  compute_acceleration(time);
 }
 
 RelativeMotion NewmarkStepper::observed() const {

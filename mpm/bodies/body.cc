@@ -17,9 +17,9 @@ double Body::shear_wave_speed() const {
   return std::visit([](const auto& m) { return m.shear_wave_speed(); }, material);
 }
 
-void Body::reorder_as_walked() {
+void Body::sort_points() {
   if (membrane()) return;
-  const std::vector<int> order = cells.walking_order();
+  const std::vector<int> order = cells.traversal_order();
   const auto permute = [&order](auto& values) {
     auto old = values;
     for (std::size_t p = 0; p < order.size(); ++p) values[p] = old[order[p]];
@@ -27,7 +27,7 @@ void Body::reorder_as_walked() {
   points.for_each_field(permute);
   permute(points.id);
   std::visit([&](auto& m) { m.for_each_field(permute); }, material);
-  cells.renumber_as_walked();
+  cells.renumber_in_traversal_order();
 }
 
 void Body::visit_state(StateVisitor& visitor) {

@@ -13,24 +13,24 @@
 
 namespace zona::mpm {
 
-/// What a body is made of: chosen once per body and brick, never per point.
+/// Material of a body; the kernels select it once per body and brick, never per point.
 using Material =
     std::variant<Fluid, LinearElastic, Solid<VonMises>, Solid<Elastodamage>, Membrane, Prescribed>;
 
-/// Whether a material has a volumetric strain that can be averaged over cells: fluids and solids.
+/// True for materials whose volumetric strain can be averaged over cells: fluids and solids.
 template <class M>
 inline constexpr bool can_average_volume = M::has_stress && !std::is_same_v<M, Membrane>;
 
 /// Material points of one material.
 struct Body {
   std::string name;       ///< unique in a model
-  MaterialPoints points;  ///< what all points have
-  Material material;      ///< its constants and what the points keep of it
-  CellIndex cells;        ///< which points are where; the solver builds it
-  /// Fluids and 3D solids: every point of a cell takes the mean volumetric strain rate of the
-  /// body's points there, by volume, and they push with their mean spherical stress (B-bar). One
-  /// cell then constrains the volume once, not once per point: an almost incompressible body does
-  /// not lock, and its points do not hold pressures that the grid does not see.
+  MaterialPoints points;  ///< mass, position and velocity
+  Material material;      ///< its constants and the state of its points
+  CellIndex cells;        ///< points by cell; the solver builds it
+  /// Fluids and 3D solids (B-bar): all points of the body in a cell get their volume-weighted mean
+  /// volumetric strain rate and act on the nodes with their mean spherical stress. A cell then
+  /// constrains the volume once, not once per point: a nearly incompressible body does not lock,
+  /// and its points have no pressure modes that the grid cannot represent.
   bool average_volume_strain = false;
 
   /// @{
@@ -38,13 +38,14 @@ struct Body {
   const Membrane* membrane() const { return std::get_if<Membrane>(&material); }
   const Prescribed* prescribed() const { return std::get_if<Prescribed>(&material); }
   /// @}
-  /// Whether `average_volume_strain` may be set.
+  /// True if `average_volume_strain` may be set.
   bool can_average() const;
   double wave_speed() const;        ///< of its material at the start [m/s]
-  double shear_wave_speed() const;  ///< 0 where there is none [m/s]
-  /// Stores the points in the order in which the step walks them. Membranes stay as they are.
-  void reorder_as_walked();
-  /// Everything that a step changes and the next one needs, but the cells.
+  double shear_wave_speed() const;  ///< 0 without shear waves [m/s]
+  /// Sorts the storage of the points into the order in which a step traverses them. Does nothing
+  /// for membranes.
+  void sort_points();
+  /// Visits everything that a step changes and the next one needs, except the cells.
   void visit_state(StateVisitor& visitor);
 };
 

@@ -85,7 +85,7 @@ TriangulatedSurface icosahedron() {
       }
     }
   }
-  // Faces: the triples at mutual edge length, turned outward.
+  // Faces: triples of vertices at the distance of an edge, oriented outward.
   const double edge = 2 / std::sqrt(1 + golden * golden);
   const auto near = [&](int a, int b) {
     return std::abs((s.places[a] - s.places[b]).norm() - edge) < 1e-9;
@@ -140,7 +140,7 @@ TriangulatedSurface sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& 
   for (int v = 0; v + 1 < count_v; ++v) {
     for (int u = 0; u + 1 < count_u; ++u) {
       const int p = v * count_u + u;
-      // Alternate diagonals, so that the sheet prefers no direction.
+      // Alternate the diagonals, so that the sheet has no preferred direction.
       if ((u + v) % 2 == 0) {
         s.triangles.insert(s.triangles.end(),
                            {{p, p + 1, p + count_u + 1}, {p, p + count_u + 1, p + count_u}});
@@ -184,14 +184,14 @@ TriangulatedSurface disc(const Eigen::Vector3d& center, int axis, double radius,
   return s;
 }
 
-TriangulatedSurface in_walking_order(const TriangulatedSurface& surface,
-                                     const BackgroundGrid& grid) {
+TriangulatedSurface in_traversal_order(const TriangulatedSurface& surface,
+                                       const BackgroundGrid& grid) {
   const int count = static_cast<int>(surface.places.size());
   std::vector<std::array<int, 3>> key;  // brick, cell, point
   for (int p = 0; p < count; ++p) {
     const Eigen::Vector3d& x = surface.places[p];
     const auto cell = grid.cell_at(x.x(), x.y(), x.z());
-    if (cell[0] < 0) return surface;  // whoever builds a solver of it is told
+    if (cell[0] < 0) return surface;  // the solver will refuse the point
     key.push_back({grid.brick_of(cell), BackgroundGrid::cell_in_brick(cell), p});
   }
   std::sort(key.begin(), key.end());

@@ -9,12 +9,12 @@
 
 namespace zona::mpm {
 
-/// Places of points and the volume [m^3] that each stands for.
+/// Positions of points and the volume [m^3] that each represents.
 struct Lattice {
   std::vector<Eigen::Vector3d> places;  ///< [m]
-  std::vector<double> volumes;          ///< [m^3], one of each place
+  std::vector<double> volumes;          ///< [m^3], one per place
 
-  /// One point more.
+  /// Adds a point.
   void add(const Eigen::Vector3d& place, double volume) {
     places.push_back(place);
     volumes.push_back(volume);
@@ -22,48 +22,49 @@ struct Lattice {
   double volume() const;  ///< of all points [m^3]
 };
 
-/// A regular lattice of `per_cell` points along each axis in every cell of the grid, as far as
-/// `inside` says yes: boxes, spheres and what is left of them.
+/// A regular lattice with `per_cell` points along each axis in every cell of the grid, limited to
+/// the places [m] for which `inside` returns true.
 Lattice fill_cells(const BackgroundGrid& grid, const std::array<int, 3>& per_cell,
                    const std::function<bool(const Eigen::Vector3d&)>& inside);
 
-/// Box [low, high) with `count` points along each axis, independent of the grid.
+/// A box from `low` to `high` [m] with `count` points along each axis, independent of the grid.
 Lattice box(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
             const std::array<int, 3>& count);
 
 /// A straight tube: a hollow cylinder.
 struct Tube {
-  Eigen::Vector3d end;   ///< centre of the end that the axis starts from [m]
+  Eigen::Vector3d end;   ///< centre of the end at which the axis starts [m]
   Eigen::Vector3d axis;  ///< unit vector from that end into the tube
   double length;         ///< [m]
   double inner_radius;   ///< [m]
   double outer_radius;   ///< [m]
 };
 
-/// Points at the middle of `radial` x `circumferential` x `axial` equal divisions of a tube's wall.
+/// Points at the centres of `radial` x `circumferential` x `axial` equal divisions of a tube's
+/// wall.
 Lattice tube(const Tube& tube, int radial, int circumferential, int axial);
 
-/// A triangulated surface; triangles by the right-hand rule, normals outward (or along +z).
+/// A triangulated surface; by the right-hand rule its normals point outward (or along +z).
 struct TriangulatedSurface {
   std::vector<Eigen::Vector3d> places;  ///< of the vertices [m]
   std::vector<Triangle> triangles;      ///< indices of places
 };
 
-/// The icosahedron with each triangle split into four `level` times: 10 4^level + 2 points on the
-/// sphere. Level 6 has 40962 points and 81920 triangles.
+/// A sphere [m] from an icosahedron, each triangle split into four `level` times: 10 4^level + 2
+/// points. Level 6 has 40962 points and 81920 triangles.
 TriangulatedSurface icosphere(const Eigen::Vector3d& center, double radius, int level);
 
-/// A flat sheet of count_u x count_v points spanned by two edges from a corner.
+/// A flat sheet of count_u x count_v points, spanned by two edges [m] from a corner.
 TriangulatedSurface sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& edge_u,
                           const Eigen::Vector3d& edge_v, int count_u, int count_v);
 
-/// A flat disc across an axis (0, 1 or 2), its normal along it: `rings` rings of 6, 12, 18, ...
-/// points around the centre, evenly spaced.
+/// A flat disc with its normal along an axis (0, 1 or 2): `rings` evenly spaced rings of 6, 12, 18,
+/// ... points around the centre.
 TriangulatedSurface disc(const Eigen::Vector3d& center, int axis, double radius, int rings);
 
-/// The same surface with its points numbered brick by brick and cell by cell of the grid, and its
-/// triangles by their lowest point: what lies side by side in space lies so in memory.
-TriangulatedSurface in_walking_order(const TriangulatedSurface& surface,
-                                     const BackgroundGrid& grid);
+/// The same surface with its points sorted by brick and cell of the grid and its triangles by their
+/// lowest point, so that neighbours in space are neighbours in memory.
+TriangulatedSurface in_traversal_order(const TriangulatedSurface& surface,
+                                       const BackgroundGrid& grid);
 
 }  // namespace zona::mpm

@@ -6,7 +6,7 @@ namespace zona::mpm {
 
 namespace {
 
-/// Residual and strain of the free components, as vectors.
+/// Stress and strain of the free components, as vectors.
 class FreePart {
  public:
   FreePart(const SinglePoint& start, const SymmetricTensor& target, const FreeComponents& free)
@@ -46,8 +46,8 @@ class FreePart {
     }
     return k;
   }
-  /// The least strains that change the stress by so much. What is hardly resisted, by wrinkles or
-  /// what has failed, does not move.
+  /// Minimum-norm strains that change the stress by `stress`. Directions with almost no stiffness,
+  /// such as wrinkles or failed points, are left alone.
   Eigen::VectorXd strains_for(const Eigen::MatrixXd& stiffness,
                               const Eigen::VectorXd& stress) const {
     const double least = 1e-9 * start_.youngs_modulus();
@@ -68,9 +68,9 @@ class FreePart {
   std::vector<int> components_;
 };
 
-/// Strains of the free components that the tangent at the start foretells for the whole step.
-Eigen::VectorXd foretold(FreePart part, const SymmetricTensor& start,
-                         const SymmetricTensor& target) {
+/// Strains of the free components for the whole step, predicted from the tangent at its start.
+Eigen::VectorXd predicted_strains(FreePart part, const SymmetricTensor& start,
+                                  const SymmetricTensor& target) {
   constexpr double fraction = 1e-4;
   SymmetricTensor little = start;
   for (int c = 0; c < 6; ++c) little[c] += fraction * (target[c] - start[c]);
@@ -81,21 +81,21 @@ Eigen::VectorXd foretold(FreePart part, const SymmetricTensor& start,
   return strains - part.strains_for(k, stress) / fraction;
 }
 
-/// The whole step at once; as step_to.
+/// Takes the whole step at once; returns the residual as step_to does.
 double try_step(SinglePoint& point, const SymmetricTensor& target, const FreeComponents& free) {
   const SinglePoint start = point;
   const FreePart part(start, target, free);
   if (part.size() == 0) return point.strain_to(target), 0.0;
-  Eigen::VectorXd strains = foretold(part, start.sample().strain, target);
+  Eigen::VectorXd strains = predicted_strains(part, start.sample().strain, target);
   Eigen::VectorXd correction = Eigen::VectorXd::Zero(part.size());
   double least = HUGE_VAL;
-  constexpr int most = 60;
-  for (int i = 0; i < most && least > 0; ++i) {
+  constexpr int max_iterations = 60;
+  for (int i = 0; i < max_iterations && least > 0; ++i) {
     const SinglePoint tried = part.moved(strains - correction);
     const Eigen::VectorXd stress = part.stress(tried);
     const double left = stress.cwiseAbs().maxCoeff();
     if (left >= least) {
-      correction *= 0.5;  // the stress is not smooth: where it yields, wrinkles or opens
+      correction *= 0.5;  // the stress is not smooth where the point yields, wrinkles or opens
       continue;
     }
     least = left;
@@ -122,8 +122,8 @@ double step_in_parts(SinglePoint& point, const SymmetricTensor& target, const Fr
 }  // namespace
 
 double step_to(SinglePoint& point, const SymmetricTensor& target, const FreeComponents& free) {
-  constexpr int most_halvings = 6;
-  return step_in_parts(point, target, free, most_halvings);
+  constexpr int max_halvings = 6;
+  return step_in_parts(point, target, free, max_halvings);
 }
 
 }  // namespace zona::mpm

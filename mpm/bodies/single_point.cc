@@ -8,9 +8,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double any_density = 1000;
+constexpr double arbitrary_density = 1000;
 
-/// What the tensors of a body say about its first point.
+/// Components at the first point of a body.
 SymmetricTensor first_of(const SymmetricTensorField& field) {
   SymmetricTensor values;
   for (int c = 0; c < 6; ++c) values[c] = field[c][0];
@@ -23,7 +23,7 @@ double elastic_energy(const SymmetricTensor& s, const ElasticModuli& e) {
          (2 * e.youngs_modulus);
 }
 
-/// `axes` are those of the surface's normal in the frame of the strain.
+/// `axes` are the axes of the surface's normal, in the frame of the strain.
 template <int Dimensions>
 void read_surface(const DecohesionFields<Dimensions>& surfaces,
                   const std::optional<Decohesion>& law,
@@ -114,7 +114,8 @@ SinglePoint::SinglePoint(const MembraneProperties& properties, const MembraneLaw
     : point_(sheet_point(properties, law)) {}
 
 SinglePoint::Point SinglePoint::solid_point(const ElasticModuli& moduli, const SolidLaw& law) {
-  const ElasticProperties properties{any_density, moduli.youngs_modulus, moduli.poisson_ratio};
+  const ElasticProperties properties{arbitrary_density, moduli.youngs_modulus,
+                                     moduli.poisson_ratio};
   return std::visit(
       [&](const auto& l) -> Point { return Solid<std::decay_t<decltype(l)>>(properties, 1, l); },
       law);
@@ -124,7 +125,7 @@ SinglePoint::Point SinglePoint::sheet_point(const MembraneProperties& properties
                                             const MembraneLaw& law) {
   const auto surface = sheet(Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY(), 2, 2);
   const auto points =
-      make_points(surface.places, std::vector<double>(surface.places.size(), any_density));
+      make_points(surface.places, std::vector<double>(surface.places.size(), arbitrary_density));
   return Sheet{points, Membrane(properties, law, true, points, surface.triangles)};
 }
 

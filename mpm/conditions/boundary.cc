@@ -49,7 +49,8 @@ std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region) {
   const auto& low = region.low;
   const auto& high = region.high;
   throw ModelError(fmt::format(
-      "no node of the grid lies in [{}, {}] x [{}, {}] x [{}, {}] m: nothing would be held",
+      "no node of the grid lies in [{}, {}] x [{}, {}] x [{}, {}] m; enlarge the region of held "
+      "nodes",
       low.x(), high.x(), low.y(), high.y(), low.z(), high.z()));
 }
 

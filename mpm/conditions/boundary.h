@@ -8,8 +8,8 @@
 
 namespace zona::mpm {
 
-/// Which velocity components a face holds at zero: none for free and absorbing faces, the normal
-/// one for rollers, all for fixed faces.
+/// True if a face holds the velocity component `axis` at zero: none for free and absorbing faces,
+/// the normal one for rollers, all for fixed faces.
 bool holds(FaceCondition condition, int normal_axis, int axis);
 
 /// Calls f(node) for the nodes of a face.
@@ -37,54 +37,55 @@ void for_each_held(const BackgroundGrid& grid, const FaceConditions& faces, F f)
   }
 }
 
-/// Velocity and acceleration of the grid at the faces, after the momentum is advanced.
+/// Sets held velocities and accelerations at the faces to zero, after the momentum is advanced.
 void hold_faces(BackgroundGrid& grid, const FaceConditions& faces);
-/// The same for the velocities mapped back from the points.
+/// Does the same for the velocities mapped back from the points.
 void hold_updated_faces(BackgroundGrid& grid, const FaceConditions& faces);
 
-/// Nodes that move as prescribed, in the components of `axes`.
+/// Nodes whose motion is prescribed in the components `axes`.
 ///
-/// A held component has the velocity V at the end of the step and the acceleration that V has, not
-/// the one that would undo what the points brought to the node: as at the faces, and with the same
-/// order of accuracy. Only the first step jumps to a V that does not start from rest. Later holds
-/// win where regions overlap, and over the faces.
+/// A held component gets the prescribed velocity V at the end of the step and the acceleration of
+/// V, not the acceleration that would cancel the momentum from the points. Faces are treated alike,
+/// with the same order of accuracy. Only the first step jumps to V if V does not start from rest.
+/// Where regions overlap, later entries win; all win over the faces.
 struct HeldNodes {
-  Box region;                                  ///< of the nodes' places
+  Box region;                                  ///< contains the nodes
   std::array<bool, 3> axes{true, true, true};  ///< components that are held
-  /// [m/s], of time [s] and the node's place [m]; empty: zero
+  /// Velocity [m/s] as a function of time [s] and the node's place [m]; empty for zero.
   std::function<Eigen::Vector3d(double, const Eigen::Vector3d&)> velocity{};
   Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  ///< force on the points [N], last step
   double power = 0;                                    ///< of that force [W]
 };
 
-/// Nodes whose places lie in the box, in ascending order. Throws ModelError if there are none.
+/// Nodes in the box, in ascending order. Throws ModelError if there are none.
 std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region);
-/// Velocity and acceleration of held nodes in the step from `time` to `time` + dt [s], after the
-/// momentum is advanced; sets the reaction. `pic` is the fraction of the nodes' velocity, not their
-/// acceleration, that reaches the points.
+/// Sets velocity and acceleration of held nodes in the step from `time` to `time` + dt [s], after
+/// the momentum is advanced, and computes the reaction. `pic` is the fraction of PIC in the points'
+/// velocity.
 void hold_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, HeldNodes& held, double time,
                 double dt, double pic);
-/// The same for the velocities mapped back from the points; `time` [s] is the end of the step.
+/// Sets the velocities mapped back from the points; `time` [s] is the end of the step.
 void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, const HeldNodes& held,
                         double time);
 
-/// Viscous tractions -rho c v (5.43)-(5.50) on the nodes of absorbing faces, normal to the face
-/// with the primary and along it with the secondary wave speed of what touches the node.
+/// Applies viscous tractions -rho c v (5.43)-(5.50) to the nodes of absorbing faces, normal to the
+/// face with the primary and along it with the secondary wave speed of the material at the node.
 ///
-/// The source lets the points of the outermost layer act, (5.52)-(5.55), which puts half of the
-/// traction one cell inside and takes the velocity half a cell away: it sends back a fraction of
-/// order k h. On the face itself, where rho dS is 2 m_i / h for the lumped mass m_i (3 m_i / h for
-/// quadratic functions, as the outermost one holds a third of its cell), it is of order (k h)^2.
+/// The source applies them to the outermost layer of points, (5.52)-(5.55). This puts half of the
+/// traction one cell inside, takes the velocity half a cell away, and reflects a fraction of order
+/// k h. On the face itself rho dS is 2 m_i / h for the lumped mass m_i (3 m_i / h for quadratic
+/// functions, whose outermost one has a third of its cell's mass), and the reflection is of order
+/// (k h)^2.
 void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces);
 
-/// Nodes that the points of a body touch, each once, in ascending order.
+/// Nodes of all cells that contain points of a body, in ascending order.
 std::vector<int> touched_nodes(const BackgroundGrid& grid, const CellIndex& cells);
 
-/// Gives nodes a velocity [m/s] after the momentum is advanced by dt [s]; returns the momentum that
-/// it takes [N s].
+/// Sets the velocity of nodes [m/s] after the momentum is advanced by dt [s]. Returns the momentum
+/// that this adds [N s].
 Eigen::Vector3d override_velocity(BackgroundGrid& grid, const std::vector<int>& nodes,
                                   const Eigen::Vector3d& velocity, double dt);
-/// The same for the velocities mapped back from the points.
+/// Sets the velocities mapped back from the points.
 void override_updated_velocity(BackgroundGrid& grid, const std::vector<int>& nodes,
                                const Eigen::Vector3d& velocity);
 

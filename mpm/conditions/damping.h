@@ -6,25 +6,26 @@
 
 namespace zona::mpm {
 
-/// Local non-viscous damping for problems that are to come to rest: each component of a node's
-/// force is reduced by a fraction of its magnitude, against the velocity. Where forces balance
-/// there is nothing to damp, so static solutions stay what they are.
+/// Local non-viscous damping for problems with a static solution: reduces each component of a
+/// node's force by a fraction of its magnitude, against the velocity. Balanced forces are not
+/// damped, so static solutions do not change.
 ///
-/// Held components and nodes that prescribed bodies touch are left alone: the force there is a
-/// reaction, not one out of balance.
+/// Held components and nodes touched by prescribed bodies are not damped: the force there is a
+/// reaction, not an imbalance.
 class LocalDamping {
  public:
-  /// `fraction` in [0, 1), or ModelError; `held_nodes` are those of each of `held`.
+  /// Throws ModelError unless `fraction` lies in [0, 1). `held_nodes` has the nodes of each entry
+  /// of `held`.
   LocalDamping(double fraction, const BackgroundGrid& grid, const FaceConditions& faces,
                const std::vector<HeldNodes>& held, const std::vector<std::vector<int>>& held_nodes);
 
   /// Reduces acceleration and velocity at the end of a step of dt [s], after the momentum is
-  /// advanced and what is held is held.
+  /// advanced and the held nodes are set.
   void apply(BackgroundGrid& grid, const std::vector<Body>& bodies, double dt, int threads) const;
 
  private:
   double fraction_;
-  std::vector<std::array<bool, 3>> held_;  ///< components of each node
+  std::vector<std::array<bool, 3>> held_;  ///< held components of each node
 };
 
 }  // namespace zona::mpm

@@ -15,14 +15,14 @@ std::size_t index_of(const std::string& name, const std::vector<Body>& bodies) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].name == name) return b;
   }
-  throw ModelError(fmt::format("a load names the body '{}', which is not there", name));
+  throw ModelError(fmt::format("a load acts on the body '{}', which does not exist", name));
 }
 
 /// Each point's mass over that of all points in the region, by id.
 std::vector<double> shares(const BodyForce& load, const Body& body) {
   if (body.prescribed()) {
     throw ModelError(
-        fmt::format("body '{}' moves as prescribed: a force cannot act on it", load.body));
+        fmt::format("a force cannot act on body '{}', whose motion is prescribed", load.body));
   }
   std::vector<double> share(body.points.size(), 0.0);
   double mass = 0;
@@ -33,7 +33,7 @@ std::vector<double> shares(const BodyForce& load, const Body& body) {
   }
   if (!(mass > 0)) {
     throw ModelError(fmt::format(
-        "a force on body '{}' finds none of its points in [{}, {}] x [{}, {}] x [{}, {}] m",
+        "a force acts on body '{}', which has no points in [{}, {}] x [{}, {}] x [{}, {}] m",
         load.body, load.region.low.x(), load.region.high.x(), load.region.low.y(),
         load.region.high.y(), load.region.low.z(), load.region.high.z()));
   }
@@ -53,7 +53,7 @@ Eigen::Vector3d area_vector(const Surface& surface, const MaterialPoints& points
   return sum;
 }
 
-/// Adds force(point) of the points of a cell to its nodes.
+/// Adds force(point) [N] of the points of a cell to its nodes.
 template <class Shape, class Force>
 void add_to_nodes(const MaterialPoints& points, const Cell& cell, const int* begin, const int* end,
                   BackgroundGrid& grid, Force force) {

@@ -9,33 +9,33 @@
 
 namespace zona::mpm {
 
-/// A force [N] on those points of a body that lie in `region` at the start, shared by mass. The
-/// same points carry it wherever they move.
+/// A force on the points of a body that lie in `region` at the start, distributed by mass. It stays
+/// on these points as they move.
 struct BodyForce {
-  std::string body;  ///< its name
-  Box region;        ///< of the points at the start [m]
-  /// Total on all these points [N], of time [s].
+  std::string body;  ///< name of the body
+  Box region;        ///< contains the points at the start [m]
+  /// Total force on these points [N] as a function of time [s].
   std::function<Eigen::Vector3d(double time)> force;
 };
 
-/// A pressure [Pa] on the intact triangles of a membrane, along their present normals: positive
-/// outwards. A third of a triangle's force goes to each of its vertices.
+/// A pressure on the intact triangles of a membrane, along their current normals and positive
+/// outwards. Each vertex gets a third of a triangle's force.
 struct SurfacePressure {
   std::string body;                             ///< name of a membrane
-  std::function<double(double time)> pressure;  ///< [Pa], of time [s]
+  std::function<double(double time)> pressure;  ///< [Pa] as a function of time [s]
 };
 
-/// The loads of a model. They act on points and reach the nodes through the shape functions, which
-/// is (5.51) with the surface integral as a sum over points.
+/// The loads of a model. They act on points and reach the nodes through the shape functions: (5.51)
+/// with the surface integral as a sum over points.
 class Loads {
  public:
-  /// Throws ModelError for a body that is not there, moves as prescribed or has no point in the
-  /// region, for a pressure on what is no membrane, and for a load without a value.
+  /// Throws ModelError for a body that does not exist, has a prescribed motion or has no points in
+  /// the region, for a pressure on a body that is no membrane, and for a load without a value.
   Loads(const std::vector<BodyForce>& forces, const std::vector<SurfacePressure>& pressures,
         const std::vector<Body>& bodies);
 
-  bool empty() const { return forces_.empty() && pressures_.empty(); }  ///< nothing acts
-  /// Takes the loads at `time` [s], to be added by the calls of `add_brick` that follow.
+  bool empty() const { return forces_.empty() && pressures_.empty(); }  ///< true without loads
+  /// Evaluates the loads at `time` [s], for the following calls of `add_brick`.
   void evaluate(double time);
   /// Adds the forces on the points of one brick to the force of its nodes [N].
   void add_brick(const std::vector<Body>& bodies, int b, BackgroundGrid& grid) const;
@@ -43,7 +43,7 @@ class Loads {
  private:
   struct SharedForce {
     std::size_t body;
-    std::vector<double> share;  ///< of each point, by id
+    std::vector<double> share;  ///< per point, by id
     std::function<Eigen::Vector3d(double)> at;
     Eigen::Vector3d now;
   };

@@ -33,7 +33,7 @@ bool write_to_disk(const std::string& path, std::string_view text) {
   return written && closed;
 }
 
-/// The names in the directory of `path`. Some file systems cannot; that is no failure.
+/// Syncs the names in the directory of `path`. File systems that cannot do so are no failure.
 void sync_directory_of(const std::string& path) {
   const auto directory = std::filesystem::absolute(path).parent_path();
   const int file = open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -54,12 +54,12 @@ void replace_file(const std::string& path, std::string_view text) {
   throw FileError(fmt::format("{}: cannot be written ({})", path, reason));
 }
 
-void bring_to_disk(const std::string& path) {
+void sync_to_disk(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool done = file >= 0 && fsync(file) == 0;
   const std::string reason = std::strerror(errno);
   if (file >= 0) close(file);
-  if (!done) throw FileError(fmt::format("{}: cannot be brought to the disk ({})", path, reason));
+  if (!done) throw FileError(fmt::format("{}: cannot be synced to the disk ({})", path, reason));
 }
 
 }  // namespace zona::mpm

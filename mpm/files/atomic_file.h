@@ -12,12 +12,12 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Give the file at `path` the content `text`, so that a reader at any moment, also after the
-/// machine failed, finds either the old or the new content and never a part: written beside it as
-/// `path`.tmp, to the disk, then renamed. Throws `FileError`; the old content is then still there.
+/// Replaces the content of the file at `path` by `text`, atomically: a reader finds the old or the
+/// new content, never a part, even after a crash of the machine. Writes `path`.tmp, syncs it to the
+/// disk and renames it. Throws `FileError` and then leaves the old content in place.
 void replace_file(const std::string& path, std::string_view text);
 
-/// Waits until what was written to a file is on the disk. Throws `FileError`.
-void bring_to_disk(const std::string& path);
+/// Waits until everything written to a file is on the disk. Throws `FileError`.
+void sync_to_disk(const std::string& path);
 
 }  // namespace zona::mpm

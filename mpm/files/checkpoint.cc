@@ -13,7 +13,7 @@ namespace zona::mpm {
 
 namespace {
 
-/// The end of every checkpoint: a word, then the hash of all bytes before that word.
+/// Every checkpoint ends with this word and the hash of all bytes before it.
 constexpr std::string_view end_word = "ZONAHASH";
 constexpr std::size_t end_size = end_word.size() + sizeof(XXH64_hash_t);
 
@@ -25,9 +25,9 @@ std::string end_of(std::string_view bytes) {
   return end;
 }
 
-class Storing : public StateVisitor {
+class StoreVisitor : public StateVisitor {
  public:
-  explicit Storing(Hdf5File& file) : file_(file) {}
+  explicit StoreVisitor(Hdf5File& file) : file_(file) {}
   bool is_restoring() const override { return false; }
   void visit(const std::string& name, double* values, std::size_t count) override {
     store(name, values, count);
@@ -47,9 +47,9 @@ class Storing : public StateVisitor {
   Hdf5File& file_;
 };
 
-class Restoring : public StateVisitor {
+class RestoreVisitor : public StateVisitor {
  public:
-  explicit Restoring(const Hdf5File& file) : file_(file) {}
+  explicit RestoreVisitor(const Hdf5File& file) : file_(file) {}
   bool is_restoring() const override { return true; }
   void visit(const std::string& name, double* values, std::size_t count) override {
     restore(name, values, count);
@@ -67,8 +67,8 @@ class Restoring : public StateVisitor {
     const std::vector<T> stored = file_.read<T>("/state/" + name);
     if (stored.size() != count) {
       throw CheckpointError(
-          fmt::format("{}: {} has {} values, but {} are wanted; it is of another "
-                      "model",
+          fmt::format("{}: {} has {} values, but the model needs {}; the checkpoint belongs to "
+                      "another model",
                       file_.path(), name, stored.size(), count));
     }
     std::copy(stored.begin(), stored.end(), values);
@@ -93,8 +93,8 @@ void write_checkpoint(const std::string& path, const CheckpointLabels& labels,
   Hdf5File file = Hdf5File::create_in_memory(path);
   file.create_group("/state");
   for (const auto& [name, value] : labels) file.write_attribute("/", name, value);
-  Storing storing(file);
-  visit(storing);
+  StoreVisitor store(file);
+  visit(store);
   std::string bytes = file.close_in_memory();
   bytes += end_of(bytes);
   replace_file(path, bytes);
@@ -108,17 +108,17 @@ Checkpoint::Checkpoint(const std::string& path) : path_(path) {
       labels_[name] = file.read_attribute<std::string>("/", name);
     }
   } catch (const Hdf5Error& error) {
-    throw CheckpointError(fmt::format("{}; it is no checkpoint of Zona", error.what()));
+    throw CheckpointError(fmt::format("{}; the file is not a checkpoint of Zona", error.what()));
   }
 }
 
 void Checkpoint::restore(const VisitState& visit) const {
   try {
     const Hdf5File file = Hdf5File::open(path_);
-    Restoring restoring(file);
-    visit(restoring);
+    RestoreVisitor restore_visitor(file);
+    visit(restore_visitor);
   } catch (const Hdf5Error& error) {
-    throw CheckpointError(fmt::format("{}; it is of another model", error.what()));
+    throw CheckpointError(fmt::format("{}; the checkpoint belongs to another model", error.what()));
   }
 }
 

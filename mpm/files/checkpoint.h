@@ -17,27 +17,26 @@ class CheckpointError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a checkpoint says of itself, e.g. "version": "0.1.0".
+/// Describes a checkpoint, e.g. "version": "0.1.0".
 using CheckpointLabels = std::map<std::string, std::string>;
-/// Shows the visitor all state.
+/// Passes all state to the visitor.
 using VisitState = std::function<void(StateVisitor&)>;
 
-/// A state, stored so that it can be trusted: an HDF5 file, followed by a hash of all its bytes. It
-/// gets its name when it is whole and on the disk; a process that is killed before leaves a file
-/// ending in ".tmp". Throws `CheckpointError`, `FileError`, `Hdf5Error`.
+/// Stores a state as an HDF5 file followed by a hash of all its bytes. The file gets its name once
+/// it is complete and on the disk; a process killed earlier leaves a file ending in ".tmp". Throws
+/// `CheckpointError`, `FileError`, `Hdf5Error`.
 void write_checkpoint(const std::string& path, const CheckpointLabels& labels,
                       const VisitState& visit);
 
-/// A stored state. Throws `CheckpointError` for a file that is not there, not whole or not what was
-/// written.
+/// A stored state. Throws `CheckpointError` for a file that is missing, incomplete or damaged.
 class Checkpoint {
  public:
-  /// Reads the file and holds its hash against its bytes.
+  /// Reads the file and checks its hash.
   explicit Checkpoint(const std::string& path);
 
   const CheckpointLabels& labels() const { return labels_; }  ///< as they were written
-  /// Gives everything its stored value. Throws `CheckpointError` for what is not stored or has
-  /// another size.
+  /// Sets all state to the stored values. Throws `CheckpointError` for a value that is not stored
+  /// or has another size.
   void restore(const VisitState& visit) const;
 
  private:

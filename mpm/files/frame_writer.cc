@@ -41,8 +41,8 @@ void check_cloud(const PointCloud& cloud) {
   for (const auto& [name, values] : cloud.fields) {
     check_name(cloud.name, name);
     if (values.size() != points && values.size() != 3 * points)
-      refuse(cloud.name, fmt::format("field '{}' has {} values for {} points; one or three a point "
-                                     "are wanted",
+      refuse(cloud.name, fmt::format("field '{}' has {} values for {} points; give one or three "
+                                     "per point",
                                      name, values.size(), points));
   }
 }
@@ -52,7 +52,7 @@ std::array<std::size_t, 3> cell_counts(const CellFields& cells) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<double>& boundaries = cells.boundaries[axis];
     if (boundaries.size() < 2 || !std::is_sorted(boundaries.begin(), boundaries.end()))
-      refuse(cells.name, "boundaries of cells must be two or more and ascend");
+      refuse(cells.name, "give two or more cell boundaries, in ascending order");
     counts[axis] = boundaries.size() - 1;
   }
   return counts;
@@ -65,8 +65,8 @@ void check_cells(const CellFields& cells) {
   for (const auto& [name, values] : cells.fields) {
     check_name(cells.name, name);
     if (values.size() != count && values.size() != 3 * count)
-      refuse(cells.name, fmt::format("field '{}' has {} values for {} cells; one or three a cell "
-                                     "are wanted",
+      refuse(cells.name, fmt::format("field '{}' has {} values for {} cells; give one or three per "
+                                     "cell",
                                      name, values.size(), count));
   }
 }
@@ -75,7 +75,7 @@ std::vector<float> rounded(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
-/// Indices of the points that make up the cells of a cloud: three a triangle, or each point alone.
+/// Point indices of the cells of a cloud: three per triangle, or one per point.
 std::vector<std::int32_t> corners_of(const PointCloud& cloud) {
   if (cloud.triangles.empty()) {
     std::vector<std::int32_t> points(cloud.positions.size() / 3);
@@ -115,7 +115,7 @@ FrameWriter::FrameWriter(std::string directory, PositionPrecision precision,
     if (entry.path().filename().string() >= six_digits(frames_.size()))
       std::filesystem::remove(entry.path());
   }
-  recall_topologies();
+  load_topologies();
   write_index();
   write_xdmf();
 }
@@ -147,7 +147,7 @@ std::vector<FrameWriter::Frame> FrameWriter::stored_frames(const std::string& di
   return frames;
 }
 
-void FrameWriter::recall_topologies() {
+void FrameWriter::load_topologies() {
   if (frames_.empty()) return;
   const Hdf5File file = Hdf5File::open(index());
   for (const Frame& frame : frames_) {
@@ -163,8 +163,9 @@ void FrameWriter::check_frame(double time, const std::vector<PointCloud>& clouds
   const double last_time =
       frames_.empty() ? -std::numeric_limits<double>::infinity() : frames_.back().time;
   if (!std::isfinite(time) || time <= last_time)
-    throw std::invalid_argument(fmt::format(
-        "frame: time {} s must be finite and after the frame before, at {} s", time, last_time));
+    throw std::invalid_argument(
+        fmt::format("frame: time {} s must be finite and later than the previous frame at {} s",
+                    time, last_time));
   std::set<std::string> names;
   for (const PointCloud& cloud : clouds) {
     check_cloud(cloud);
@@ -222,12 +223,12 @@ std::string FrameWriter::stored_topology(Hdf5File& file, const PointCloud& cloud
                                          std::vector<std::string>& topologies) {
   Topology& last = topologies_[cloud.name];
   std::vector<std::int32_t> corners = corners_of(cloud);
-  const std::size_t points_a_cell = cloud.triangles.empty() ? 1 : 3;
-  if (last.points_a_cell == points_a_cell && last.corners == corners) return last.dataset;
+  const std::size_t points_per_cell = cloud.triangles.empty() ? 1 : 3;
+  if (last.points_per_cell == points_per_cell && last.corners == corners) return last.dataset;
   const std::string dataset = "/topology/" + cloud.name + "/" + six_digits(frames_.size());
-  file.write(dataset, corners, {points_a_cell});
+  file.write(dataset, corners, {points_per_cell});
   topologies.push_back(dataset);
-  last = {points_a_cell, std::move(corners), dataset};
+  last = {points_per_cell, std::move(corners), dataset};
   return dataset;
 }
 

@@ -56,14 +56,14 @@ constexpr H5T_class_t attribute_class() {
   return std::is_same_v<T, double> ? H5T_FLOAT : H5T_INTEGER;
 }
 
-/// Whether a stored type can be read as T. Texts are of fixed length, as this class writes them:
-/// following those of variable length through a damaged file, HDF5 1.10 may never come to an end.
+/// True if a stored type can be read as T. Texts must have a fixed length, as this class writes
+/// them: in a damaged file HDF5 1.10 may follow a text of variable length forever.
 template <class T>
 bool is_readable(hid_t type) {
-  constexpr std::size_t longest = 1 << 20;  // far above what attributes are for
+  constexpr std::size_t max_text_size = 1 << 20;  // far more than an attribute needs
   if (H5Tget_class(type) != attribute_class<T>()) return false;
   return !std::is_same_v<T, std::string> ||
-         (H5Tis_variable_str(type) == 0 && H5Tget_size(type) <= longest);
+         (H5Tis_variable_str(type) == 0 && H5Tget_size(type) <= max_text_size);
 }
 
 herr_t read_attribute_value(hid_t attribute, hid_t type, std::string& value) {
@@ -102,7 +102,7 @@ T Hdf5File::read_attribute(const std::string& object, const std::string& name) c
   const Handle type(H5Aget_type(attribute), H5Tclose);
   const Handle space(H5Aget_space(attribute), H5Sclose);
   if (!is_readable<T>(type) || H5Sget_simple_extent_npoints(space) != 1)
-    throw Hdf5Error(path_, label, "is not of the type asked for");
+    throw Hdf5Error(path_, label, "is not of the requested type");
   T value{};
   check(read_attribute_value(attribute, type, value), path_, label, "cannot read the attribute");
   return value;
@@ -120,11 +120,6 @@ std::vector<std::string> Hdf5File::attributes(const std::string& object) const {
   check(H5Aiterate2(owner, H5_INDEX_NAME, H5_ITER_INC, nullptr, append_name, &names), path_, object,
         "cannot list the attributes");
   return names;
-}
-
-bool Hdf5File::has_attribute(const std::string& object, const std::string& name) const {
-  const QuietScope quiet;
-  return H5Aexists_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 template double Hdf5File::read_attribute(const std::string&, const std::string&) const;

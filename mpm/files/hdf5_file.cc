@@ -18,8 +18,8 @@ using hdf5::QuietScope;
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "the header stores HDF5's handles as int64");
 
-/// HDF5 belongs to one thread at a time.
-std::unique_lock<std::recursive_mutex> take_turn() {
+/// Locks HDF5 for this thread.
+std::unique_lock<std::recursive_mutex> lock_hdf5() {
   static std::recursive_mutex mutex;
   return std::unique_lock(mutex);
 }
@@ -44,7 +44,7 @@ void write_dataset(hid_t file, const std::string& path, const std::string& datas
   const QuietScope quiet;
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                      H5Sclose);
-  // Without the time of day in it, the same data make the same file.
+  // Without a time stamp the same data make the same file.
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
@@ -66,7 +66,7 @@ std::vector<hsize_t> shape_of(hid_t data, const std::string& path, const std::st
   return shape;
 }
 
-/// Throws unless the stored numbers are of the same class (integer, floating point) as T.
+/// Throws unless the stored numbers and T are both integers or both floating point.
 template <class T>
 void check_class(hid_t data, const std::string& path, const std::string& dataset) {
   const Handle type(H5Dget_type(data), H5Tclose);
@@ -78,10 +78,10 @@ void check_class(hid_t data, const std::string& path, const std::string& dataset
                         (std::is_integral_v<T> ? "integers" : "floating point numbers"));
 }
 
-/// Values of a dataset. A file's own word for it is believed only as far as its bytes could hold so
-/// many: deflate, the best of HDF5's filters, makes at most 1032 bytes of one.
+/// Number of values in a dataset. Throws if the file claims more than its bytes can hold: deflate,
+/// the strongest of HDF5's filters, expands one byte to at most 1032.
 std::size_t count_of(hid_t data, const std::string& path, const std::string& dataset) {
-  constexpr double most_bytes_of_one = 1032;
+  constexpr double max_expansion = 1032;
   std::size_t count = 1;
   double product = 1;
   for (const hsize_t length : shape_of(data, path, dataset)) {
@@ -91,9 +91,9 @@ std::size_t count_of(hid_t data, const std::string& path, const std::string& dat
   const Handle type(H5Dget_type(data), H5Tclose);
   const Handle file(H5Iget_file_id(data), H5Fclose);
   hsize_t file_size = 0;
-  check(H5Fget_filesize(file, &file_size), path, dataset, "cannot tell the size of its file");
+  check(H5Fget_filesize(file, &file_size), path, dataset, "cannot read the size of its file");
   if (product * static_cast<double>(H5Tget_size(type)) >
-      most_bytes_of_one * static_cast<double>(file_size)) {
+      max_expansion * static_cast<double>(file_size)) {
     throw Hdf5Error(path, dataset,
                     "claims to have " + std::to_string(product) +
                         " values, more than its file of " + std::to_string(file_size) +
@@ -109,16 +109,16 @@ Hdf5Error::Hdf5Error(const std::string& file, const std::string& object, const s
       file_(file),
       object_(object) {}
 
-Hdf5File::Hdf5File(Turn turn, std::string path, std::int64_t id)
-    : turn_(std::move(turn)), path_(std::move(path)), id_(id) {}
+Hdf5File::Hdf5File(Lock lock, std::string path, std::int64_t id)
+    : lock_(std::move(lock)), path_(std::move(path)), id_(id) {}
 
 Hdf5File::Hdf5File(Hdf5File&& other) noexcept
-    : turn_(std::move(other.turn_)),
+    : lock_(std::move(other.lock_)),
       path_(std::move(other.path_)),
       id_(std::exchange(other.id_, -1)) {}
 
 Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
-  std::swap(turn_, other.turn_);
+  std::swap(lock_, other.lock_);
   std::swap(path_, other.path_);
   std::swap(id_, other.id_);
   return *this;
@@ -131,38 +131,29 @@ Hdf5File::~Hdf5File() {
 }
 
 Hdf5File Hdf5File::create(const std::string& path) {
-  Turn turn = take_turn();
+  Lock lock = lock_hdf5();
   const QuietScope quiet;
   const Handle access(unlocked_access(), H5Pclose);
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  return Hdf5File(std::move(turn), path, check(id, path, "", "cannot create the file"));
+  return Hdf5File(std::move(lock), path, check(id, path, "", "cannot create the file"));
 }
 
 Hdf5File Hdf5File::create_in_memory(const std::string& path) {
   constexpr std::size_t growth = 4 << 20;
-  Turn turn = take_turn();
+  Lock lock = lock_hdf5();
   const QuietScope quiet;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access, growth, false);
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  return Hdf5File(std::move(turn), path, check(id, path, "", "cannot create the file in memory"));
+  return Hdf5File(std::move(lock), path, check(id, path, "", "cannot create the file in memory"));
 }
 
 Hdf5File Hdf5File::open(const std::string& path) {
-  Turn turn = take_turn();
+  Lock lock = lock_hdf5();
   const QuietScope quiet;
   const Handle access(unlocked_access(), H5Pclose);
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-  return Hdf5File(std::move(turn), path, check(id, path, "", "cannot open the file"));
-}
-
-Hdf5File Hdf5File::append(const std::string& path) {
-  Turn turn = take_turn();
-  const QuietScope quiet;
-  const Handle access(unlocked_access(), H5Pclose);
-  const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
-  return Hdf5File(std::move(turn), path,
-                  check(id, path, "", "cannot open the file to append to it"));
+  return Hdf5File(std::move(lock), path, check(id, path, "", "cannot open the file"));
 }
 
 template <class T>
@@ -240,19 +231,9 @@ std::vector<std::string> Hdf5File::children(const std::string& group) const {
   return names;
 }
 
-void Hdf5File::remove(const std::string& object) {
-  const QuietScope quiet;
-  check(H5Ldelete(id_, object.c_str(), H5P_DEFAULT), path_, object, "cannot remove");
-}
-
-void Hdf5File::flush() {
-  const QuietScope quiet;
-  check(H5Fflush(id_, H5F_SCOPE_GLOBAL), path_, "", "cannot flush the file");
-}
-
 void Hdf5File::close() {
   if (id_ < 0) return;
-  const Turn turn = std::move(turn_);
+  const Lock lock = std::move(lock_);
   const QuietScope quiet;
   check(H5Fclose(std::exchange(id_, -1)), path_, "", "cannot close the file");
 }

@@ -6,11 +6,10 @@
 
 #include "mpm/files/hdf5_file.h"
 
-/// What `hdf5_file.cc` and `hdf5_attribute.cc` need to call HDF5's C interface safely; of no use
-/// elsewhere.
+/// Safe calls of HDF5's C interface, for `hdf5_file.cc` and `hdf5_attribute.cc` only.
 namespace zona::mpm::hdf5 {
 
-/// HDF5 prints its error stack by default; within this scope it is silent.
+/// Keeps HDF5 from printing its error stack within a scope.
 class QuietScope {
  public:
   QuietScope() {
@@ -53,7 +52,7 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// Throws when an HDF5 call answered with a negative number; passes the answer on otherwise.
+/// Throws if an HDF5 call returned a negative number; returns the answer otherwise.
 template <class Answer>
 Answer check(Answer answer, const std::string& file, const std::string& object,
              const char* problem) {

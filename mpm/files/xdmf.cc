@@ -26,7 +26,7 @@ std::string topology(const Hdf5File& data, const std::string& cloud) {
       type, shape.at(0), shape.at(1), data_item(data, dataset, "Int", 4));
 }
 
-/// All fields in a group. A scalar has as many dimensions as its place, a vector one more.
+/// All fields in a group. A scalar field has `dimensions` dimensions, a vector field one more.
 std::string attributes(const Hdf5File& data, const std::string& fields, const char* center,
                        std::size_t dimensions) {
   std::string text;

@@ -20,8 +20,10 @@ BackgroundGrid::BackgroundGrid(const Eigen::Vector3d& origin, const Eigen::Vecto
   const int per_axis = interpolation == Interpolation::quadratic ? 3 : 2;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(cell_size[axis] > 0) || cells[axis] < 1) {
-      throw ModelError(fmt::format("a grid needs cells of positive size, got {} cells of {} m",
-                                   cells[axis], cell_size[axis]));
+      throw ModelError(
+          fmt::format("a grid needs at least one cell of positive size along each "
+                      "axis, got {} cells of {} m",
+                      cells[axis], cell_size[axis]));
     }
     nodes_along_[axis] = cells[axis] + per_axis - 1;
     bricks_along_[axis] = (cells[axis] + Brick::edge - 1) / Brick::edge;

@@ -4,16 +4,16 @@
 
 namespace zona::mpm {
 
-/// Up to eight points of neighbouring cells of a brick that hold few points each. What is done for
-/// eight points at once then has eight of them; the nodes are visited point by point.
+/// Up to eight points from several sparsely filled cells of a brick. Work on points still uses all
+/// eight lanes; the nodes are visited point by point.
 struct Batch {
   PointGroup group;                    ///< the points
   std::array<Lanes, 3> corner;         ///< lowest corner of each point's cell [m]
   std::array<double, 3> inverse;       ///< 1 / cell size [1/m]
   std::array<int, lane_count> node{};  ///< lowest node of each point's cell
-  std::array<int, lane_count> cell{};  ///< of the brick
+  std::array<int, lane_count> cell{};  ///< number of each point's cell in the brick
 
-  /// `count` points and the cell, within the brick, of each; `count` is at least 1.
+  /// `count` points, at least 1, and the number of each one's cell in the brick.
   Batch(const BackgroundGrid& grid, const Brick& brick, const int* points, const int* cells,
         int count)
       : group(points, count), corner{}, inverse(grid.inverse_cell_size()) {
@@ -34,7 +34,7 @@ struct Batch {
   }
 };
 
-/// Collects points of cells with few points and calls f(Batch) whenever there are eight.
+/// Collects points of sparsely filled cells and calls f(Batch) whenever it has eight.
 template <class F>
 class Batches {
  public:
@@ -49,7 +49,7 @@ class Batches {
       if (count_ == lane_count) flush();
     }
   }
-  /// Calls f for the points that are left; to be called at last.
+  /// Calls f for the remaining points; must be called at the end.
   void flush() {
     if (count_ > 0) f_(Batch(grid_, brick_, points_, cells_, count_));
     count_ = 0;
@@ -65,7 +65,7 @@ class Batches {
 };
 
 /// Calls on_cell(Cell, begin, end, cell_in_brick) for each cell of a brick with more than `few`
-/// points and on_batch(Batch) for the points of the others, in the order of cells.
+/// points, and on_batch(Batch) for the points of the other cells, in the order of cells.
 template <class OnCell, class OnBatch>
 void for_each_cell_or_batch(const BackgroundGrid& grid, int b, const BrickPoints& points, int few,
                             OnCell on_cell, OnBatch on_batch) {

@@ -5,7 +5,7 @@
 
 namespace zona::mpm {
 
-/// A cell as the kernels see it: its lowest corner and its nodes.
+/// Geometry and nodes of a cell, for the kernels.
 struct Cell {
   std::array<double, 3> corner;   ///< [m]
   std::array<double, 3> inverse;  ///< 1 / cell size [1/m]
@@ -19,7 +19,7 @@ struct Cell {
   }
 };
 
-/// The cell that is number `cell_in_brick` of a brick.
+/// The cell with the number `cell_in_brick` in a brick.
 inline Cell make_cell(const BackgroundGrid& grid, const Brick& brick, int cell_in_brick) {
   constexpr int e = Brick::edge;
   const std::array<int, 3> index{brick.first_cell[0] + cell_in_brick % e,
@@ -43,15 +43,16 @@ void for_each_cell(const BackgroundGrid& grid, int b, const BrickPoints& points,
   }
 }
 
-/// What a group of points brings to the nodes of its cell: a row per quantity, a column per point.
-struct PointLoads {
+/// Contributions of a group of points to the nodes of its cell: a row per quantity, a column per
+/// point.
+struct PointContributions {
   alignas(64) double natural[3][lane_count];    ///< coordinates in the cell, 0 to 1 [-]
   alignas(64) double mass[lane_count];          ///< [kg]
   alignas(64) double momentum[3][lane_count];   ///< [kg m/s]
   alignas(64) double stress[3][3][lane_count];  ///< -volume sigma_ij / cell size_j [N]
 };
 
-/// One vector of each point of a group for the nodes of its cell, in the same layout.
+/// One vector per point of a group, in the same layout.
 struct PointVectors {
   alignas(64) double natural[3][lane_count];  ///< coordinates in the cell, 0 to 1 [-]
   alignas(64) double vector[3][lane_count];   ///< its components

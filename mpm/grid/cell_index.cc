@@ -59,7 +59,7 @@ int CellIndex::move_departed(const BackgroundGrid& grid, const std::array<Field,
   return -1;
 }
 
-std::vector<int> CellIndex::walking_order() const {
+std::vector<int> CellIndex::traversal_order() const {
   std::vector<int> order;
   for (const auto& brick : bricks_) {
     order.insert(order.end(), brick.points.begin(), brick.points.end());
@@ -67,7 +67,7 @@ std::vector<int> CellIndex::walking_order() const {
   return order;
 }
 
-void CellIndex::renumber_as_walked() {
+void CellIndex::renumber_in_traversal_order() {
   int next = 0;
   for (auto& brick : bricks_) {
     std::iota(brick.points.begin(), brick.points.end(), next);

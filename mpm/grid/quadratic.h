@@ -5,16 +5,16 @@
 
 namespace zona::mpm {
 
-/// Quadratic B-splines with knots at the faces of the cells, open at the faces of the grid.
+/// Quadratic B-splines with knots at the cell faces and open ends at the faces of the grid.
 ///
-/// All points of a cell share 27 functions, products of three along each axis. With the natural
+/// All points of a cell share 27 functions, products of three functions per axis. With the natural
 /// coordinate xi in [0, 1] these are
 ///
 ///     N_0 = a (1 - xi)^2,   N_1 = 1 - N_0 - N_2,   N_2 = b xi^2,
 ///
-/// where a and b are 1/2, but a is 1 in the first and b in the last cell of an axis. Function
-/// n = i + 3 j + 9 k is N_i(xi) N_j(eta) N_k(zeta). The gradient is continuous between cells. At a
-/// face of the grid only the outermost function is not zero, and it is one.
+/// where a and b are 1/2, except that a is 1 in the first and b is 1 in the last cell of an axis.
+/// Function n = i + 3 j + 9 k is N_i(xi) N_j(eta) N_k(zeta). The gradient is continuous between
+/// cells. At a face of the grid the outermost function is one and all others are zero.
 namespace quadratic {
 
 inline constexpr int node_count = 27;  ///< of a cell
@@ -24,7 +24,7 @@ struct Knots {
   double low[3];   ///< a [-]
   double high[3];  ///< b [-]
 
-  /// Of a cell of the grid.
+  /// Values for a cell of the grid.
   Knots(const BackgroundGrid& grid, const Cell& cell) {
     for (int axis = 0; axis < 3; ++axis) {
       low[axis] = cell.index[axis] == 0 ? 1 : 0.5;
@@ -39,7 +39,7 @@ struct Weights {
   double slope[3];  ///< of each [-]
 };
 
-/// At the natural coordinate s in [0, 1] of an axis.
+/// Functions of an axis at its natural coordinate s in [0, 1].
 inline Weights weights(const Knots& knots, int axis, double s) {
   const double r = 1 - s;
   const double a = knots.low[axis];
@@ -54,8 +54,8 @@ inline Weights weights(const Knots& knots, int axis, double s) {
   return w;
 }
 
-/// From nodal values to the coefficients of xi^i eta^j zeta^k, with the same index i + 3 j + 9 k,
-/// so that eight points at once are interpolated by Horner's rule.
+/// Converts nodal values to the coefficients of xi^i eta^j zeta^k, with the same index i + 3 j + 9
+/// k. Horner's rule then interpolates eight points at once.
 template <class Value>
 void to_coefficients(const Knots& knots, Value (&c)[node_count]) {
   int stride = 1;
@@ -71,8 +71,8 @@ void to_coefficients(const Knots& knots, Value (&c)[node_count]) {
   }
 }
 
-/// The value at natural coordinates s of eight points; c[k] are a field's 27 coefficients with a
-/// stride between them.
+/// Values at the natural coordinates s of eight points; c[k stride] are the 27 coefficients of a
+/// field.
 inline Lanes interpolate(const double* c, int stride, const std::array<Lanes, 3>& s) {
   Lanes in_z{};
   for (int k = 2; k >= 0; --k) {
@@ -107,22 +107,22 @@ inline std::array<Lanes, 3> derivatives(const double* c, int stride,
   return {slope_x, slope_y, slope_z};
 }
 
-/// Sums over the points of a cell that go to its nodes: rows as in BackgroundGrid::state.
+/// Sums over the points of a cell for its nodes, with the layout of BackgroundGrid::state.
 class NodalSums {
  public:
-  /// No sums yet.
+  /// All sums are zero.
   NodalSums(const BackgroundGrid& grid, const Cell& cell) : knots_(grid, cell) {}
 
-  /// Adds mass, momentum and, `with_stress`, internal force of a group's point p.
+  /// Adds mass, momentum and, if `with_stress`, internal force of point p of a group.
   template <bool with_stress>
-  void add(const PointLoads& loads, int p) {
-    const Weights x = weights(knots_, 0, loads.natural[0][p]);
-    const Weights y = weights(knots_, 1, loads.natural[1][p]);
-    const Weights z = weights(knots_, 2, loads.natural[2][p]);
-    const auto& m = loads.momentum;
-    const Lanes carried{loads.mass[p], m[0][p], m[1][p], m[2][p], 0, 0, 0, 0};
+  void add(const PointContributions& points, int p) {
+    const Weights x = weights(knots_, 0, points.natural[0][p]);
+    const Weights y = weights(knots_, 1, points.natural[1][p]);
+    const Weights z = weights(knots_, 2, points.natural[2][p]);
+    const auto& m = points.momentum;
+    const Lanes carried{points.mass[p], m[0][p], m[1][p], m[2][p], 0, 0, 0, 0};
     const auto stress = [&](int j) {
-      const auto& s = loads.stress;
+      const auto& s = points.stress;
       return Lanes{0, 0, 0, 0, s[0][j][p], s[1][j][p], s[2][j][p], 0};
     };
     for (int i = 0; i < 3; ++i) {
@@ -142,7 +142,7 @@ class NodalSums {
     }
   }
 
-  /// Adds the sums to the nodes, and mass times the wave speeds [m/s].
+  /// Adds the sums to the nodes, and the mass times the wave speeds [m/s].
   void add_to_nodes(const Cell& cell, double wave_speed, double shear_wave_speed,
                     BackgroundGrid& grid) const {
     for (int n = 0; n < node_count; ++n) {
@@ -159,13 +159,13 @@ class NodalSums {
   Lanes row_[node_count]{};
 };
 
-/// Sums of one vector over the points of a cell, for its nodes.
+/// Sums of one vector per point over the points of a cell, for its nodes.
 class VectorSums {
  public:
-  /// No sums yet.
+  /// All sums are zero.
   VectorSums(const BackgroundGrid& grid, const Cell& cell) : knots_(grid, cell) {}
 
-  /// Adds the vector of a group's point p.
+  /// Adds the vector of point p of a group.
   void add(const PointVectors& points, int p) {
     const Weights x = weights(knots_, 0, points.natural[0][p]);
     const Weights y = weights(knots_, 1, points.natural[1][p]);
@@ -178,7 +178,7 @@ class VectorSums {
       }
     }
   }
-  /// f(node, sum) for the nodes of the cell; the fourth number of a sum is zero.
+  /// Calls f(node, sum) for the nodes of the cell; the fourth number of a sum is zero.
   template <class F>
   void for_each_node(const Cell& cell, const BackgroundGrid& grid, F f) const {
     for (int n = 0; n < node_count; ++n) f(cell.first_node + grid.node_offsets()[n], sum_[n]);
@@ -202,7 +202,7 @@ class CellField {
     for (int n = 0; n < node_count; ++n) store(c_[n], node[n]);
   }
   /// @{
-  /// Of eight points at natural coordinates in [0, 1]: velocity [m/s] or acceleration [m/s^2].
+  /// Velocity [m/s] or acceleration [m/s^2] of eight points at natural coordinates in [0, 1].
   Lanes velocity(int axis, const std::array<Lanes, 3>& natural) const {
     return interpolate(&c_[0][1 + axis], lane_count, natural);
   }
@@ -226,7 +226,7 @@ class CellGradient {
     to_coefficients(Knots(grid, cell), node);
     __builtin_memcpy(c_, node, sizeof(c_));
   }
-  /// Of eight points at natural coordinates in [0, 1].
+  /// Gradient at eight points with natural coordinates in [0, 1].
   VelocityGradient at(const std::array<Lanes, 3>& natural) const {
     VelocityGradient gradient;
     for (int i = 0; i < 3; ++i) {
@@ -243,16 +243,16 @@ class CellGradient {
 
 }  // namespace quadratic
 
-/// The policy of Interpolation::quadratic, see shape_functions.h.
+/// Policy of Interpolation::quadratic, see shape_functions.h.
 struct Quadratic {
   /// @{
-  /// A kernel of the policy.
+  /// Kernels of the policy.
   using NodalSums = quadratic::NodalSums;
   using VectorSums = quadratic::VectorSums;
   using CellField = quadratic::CellField;
   using CellGradient = quadratic::CellGradient;
   /// @}
-  static constexpr int few_points = 0;  ///< there are no batches
+  static constexpr int few_points = 0;  ///< no batches
 };
 
 }  // namespace zona::mpm

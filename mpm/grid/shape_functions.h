@@ -6,7 +6,8 @@
 namespace zona::mpm {
 
 /// Calls f(Trilinear{}) or f(Quadratic{}), the policy of the grid's interpolation. The kernels of
-/// the step are templates on it. A policy has, each made from a grid and one of its cells,
+/// the step are templates on it. A policy has these types, each constructed from a grid and one of
+/// its cells:
 ///
 /// - `NodalSums`: mass, momentum and internal force, points to nodes;
 /// - `VectorSums`: one vector of each point, points to nodes;

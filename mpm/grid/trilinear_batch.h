@@ -5,11 +5,11 @@
 
 namespace zona::mpm::trilinear {
 
-/// The shape functions of each point of a batch at the nodes of its cell: [point][node].
+/// Shape functions of each point of a batch at the nodes of its cell: [point][node].
 struct BatchWeights {
   alignas(64) double at[lane_count][8];  ///< [-]
 
-  /// At natural coordinates in [0, 1].
+  /// Values at natural coordinates in [0, 1].
   BatchWeights(const Batch& batch, const std::array<Lanes, 3>& natural) {
     for (int p = 0; p < batch.group.count(); ++p) {
       const auto n = factors(natural[0][p], natural[1][p], natural[2][p]);
@@ -18,12 +18,12 @@ struct BatchWeights {
   }
 };
 
-/// Shape functions and their derivatives with respect to the natural coordinates of one point.
+/// Shape functions of one point and their derivatives with respect to the natural coordinates.
 struct PointWeights {
   alignas(64) double value[8];     ///< of each node [-]
   alignas(64) double slope[3][8];  ///< by each coordinate, of each node [-]
 
-  /// Point p of eight at natural coordinates in [0, 1].
+  /// Values for point p of eight points at natural coordinates in [0, 1].
   PointWeights(const std::array<Lanes, 3>& natural, int p) {
     const auto n = factors(natural[0][p], natural[1][p], natural[2][p]);
     const Lanes yz = n.y * n.z;
@@ -34,7 +34,7 @@ struct PointWeights {
   }
 };
 
-/// Velocity and acceleration of the grid at the points of a batch, as CellField.
+/// Velocity and acceleration of the grid at the points of a batch, like CellField.
 class BatchField {
  public:
   /// Sums over the nodes of each point.
@@ -48,7 +48,7 @@ class BatchField {
     transpose(row_);
   }
   /// @{
-  /// Of eight points at natural coordinates in [0, 1]: velocity [m/s] or acceleration [m/s^2].
+  /// Velocity [m/s] or acceleration [m/s^2] of the points; the coordinates are not needed again.
   Lanes velocity(int axis, const std::array<Lanes, 3>&) const { return row_[1 + axis]; }
   Lanes acceleration(int axis, const std::array<Lanes, 3>&) const { return row_[4 + axis]; }
   /// @}
@@ -97,23 +97,24 @@ inline VelocityGradient gradient_at(const BackgroundGrid& grid, const Batch& bat
   return gradient;
 }
 
-/// What NodalSums does, for the points of a batch.
+/// Adds mass, momentum and internal force of the points of a batch to the nodes, like NodalSums.
 template <bool with_stress>
-void add_to_nodes(const Batch& batch, const PointLoads& loads, double wave_speed,
+void add_to_nodes(const Batch& batch, const PointContributions& points, double wave_speed,
                   double shear_wave_speed, BackgroundGrid& grid) {
-  const Lanes mass = load(loads.mass);
-  Lanes carried[8]{mass, load(loads.momentum[0]), load(loads.momentum[1]), load(loads.momentum[2])};
+  const Lanes mass = load(points.mass);
+  Lanes carried[8]{mass, load(points.momentum[0]), load(points.momentum[1]),
+                   load(points.momentum[2])};
   carried[7] = wave_speed * mass;
   transpose(carried);
   Lanes stress[3][8]{};
   if constexpr (with_stress) {
     for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 3; ++i) stress[j][4 + i] = load(loads.stress[i][j]);
+      for (int i = 0; i < 3; ++i) stress[j][4 + i] = load(points.stress[i][j]);
       transpose(stress[j]);
     }
   }
-  const std::array<Lanes, 3> natural{load(loads.natural[0]), load(loads.natural[1]),
-                                     load(loads.natural[2])};
+  const std::array<Lanes, 3> natural{load(points.natural[0]), load(points.natural[1]),
+                                     load(points.natural[2])};
   const auto& offset = grid.node_offsets();
   for (int p = 0; p < batch.group.count(); ++p) {
     const PointWeights w(natural, p);
@@ -127,7 +128,8 @@ void add_to_nodes(const Batch& batch, const PointLoads& loads, double wave_speed
     }
     if (shear_wave_speed > 0) {
       for (int n = 0; n < 8; ++n)
-        grid.updated[batch.node[p] + offset[n]][3] += shear_wave_speed * w.value[n] * loads.mass[p];
+        grid.updated[batch.node[p] + offset[n]][3] +=
+            shear_wave_speed * w.value[n] * points.mass[p];
     }
   }
 }

@@ -7,11 +7,11 @@ namespace zona::mpm {
 
 namespace {
 
-/// Where Mohr's circle of the largest and the smallest stress osculates the localization ellipse
+/// Contact of Mohr's circle of the largest and the smallest stress with the localization ellipse
 /// (5.25)-(5.27).
 struct Contact {
   double coefficient;      ///< H^cr
-  double cos_twice_angle;  ///< of theta^cr
+  double cos_twice_angle;  ///< cos(2 theta^cr)
 };
 
 Contact contact(const Eigen::Vector3d& s, const ElasticModuli& moduli) {

@@ -18,8 +18,8 @@ void check(const Decohesion& m) {
   }
   if (!(m.exponent >= 1)) {
     throw ModelError(
-        fmt::format("the exponent of decohesion must be at least 1, got {}: below 1 "
-                    "the strength would fall vertically at first",
+        fmt::format("the exponent of decohesion must be at least 1, got {}: with less, "
+                    "the strength would initially drop vertically",
                     m.exponent));
   }
   if (!(m.reference_traction >= 0)) {
@@ -28,8 +28,8 @@ void check(const Decohesion& m) {
   }
 }
 
-/// The area of the plane is that volume times the density, at zero, of a sum of three numbers drawn
-/// evenly from intervals as long as the cell's edges along n.
+/// The area of the plane is the volume times the probability density, at zero, of the sum of three
+/// uniform random numbers from intervals as long as the cell's edges along n.
 double effective_length(const Eigen::Vector3d& normal, const Eigen::Vector3d& cell) {
   Eigen::Vector3d w = normal.cwiseProduct(cell).cwiseAbs();
   std::sort(w.data(), w.data() + 3);

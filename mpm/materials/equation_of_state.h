@@ -10,11 +10,11 @@ struct StiffenedGas {
   double grueneisen;  ///< Gamma [-]
   double p_infinity;  ///< P_inf [Pa]
 
-  /// (4.31), by the ratio gamma of its heat capacities [-].
+  /// Ideal gas (4.31) with the ratio gamma of heat capacities [-].
   static constexpr StiffenedGas ideal_gas(double heat_capacity_ratio) {
     return {heat_capacity_ratio - 1, 0};
   }
-  /// [Pa] at density [kg/m^3] and specific internal energy [J/kg].
+  /// Pressure [Pa] at a density [kg/m^3] and a specific internal energy [J/kg].
   double pressure(double density, double energy) const {
     return grueneisen * density * energy - (grueneisen + 1) * p_infinity;
   }

@@ -18,8 +18,10 @@ Fluid::Fluid(const FluidProperties& p, int points)
         fmt::format("a viscosity must not be negative, got {} Pa s", p.shear_viscosity));
   }
   if (!(p.state.grueneisen > 0) || !(p.pressure + p.state.p_infinity > 0)) {
-    throw ModelError(fmt::format("no sound speed: Gamma = {}, P + P_inf = {} Pa must be positive",
-                                 p.state.grueneisen, p.pressure + p.state.p_infinity));
+    throw ModelError(
+        fmt::format("a fluid needs positive Gamma and P + P_inf for a sound speed, "
+                    "got {} and {} Pa",
+                    p.state.grueneisen, p.pressure + p.state.p_infinity));
   }
   for (int c = 0; c < 6; ++c) stress[c].assign(points, c < 3 ? -p.pressure : 0.0);
 }

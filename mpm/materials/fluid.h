@@ -6,38 +6,38 @@
 
 namespace zona::mpm {
 
-/// Constants of (4.45); zero switches the term off. The shock tube of 4.4.1 has 2 and 1.
+/// Constants of (4.45); zero switches a term off. The shock tube of 4.4.1 has 2 and 1.
 struct ArtificialViscosity {
   double quadratic = 0;  ///< c_0 [-]
   double linear = 0;     ///< c_1 [-]
 };
 
-/// Which pressure does the work of a step in (4.40).
+/// Pressure that does the work of a step in (4.40).
 enum class EnergyIncrement {
-  end_pressure,  ///< that at its end, as in the source: heats at first order in the step
-  mean_pressure  ///< the mean of both ends: a cycle leaves no heat, to second order
+  end_pressure,  ///< at the end of the step, as in the source; heats at first order in the step
+  mean_pressure  ///< mean of start and end; a cycle produces no heat, to second order
 };
 
-/// Constants of a viscous compressible fluid, and the state in which it starts.
+/// Constants and initial state of a viscous compressible fluid.
 struct FluidProperties {
   double density;              ///< initial [kg/m^3]
   StiffenedGas state;          ///< equation of state
   double pressure = 0;         ///< initial [Pa]
   double shear_viscosity = 0;  ///< mu [Pa s]; the bulk viscosity is -2 mu / 3 (Stokes)
   ArtificialViscosity artificial_viscosity;                          ///< (4.45)
-  EnergyIncrement energy_increment = EnergyIncrement::end_pressure;  ///< of (4.40)
+  EnergyIncrement energy_increment = EnergyIncrement::end_pressure;  ///< in (4.40)
 };
 
 /// A viscous compressible fluid (4.28) with internal energy.
 struct Fluid {
-  /// Its points bring internal forces.
+  /// Its points contribute internal forces.
   static constexpr bool has_stress = true;
 
-  /// All points in the initial state. Throws ModelError.
+  /// Points in the initial state. Throws ModelError.
   Fluid(const FluidProperties& properties, int points);
 
   FluidProperties properties;   ///< constants of all points
-  double initial_energy;        ///< specific internal energy all points start with [J/kg]
+  double initial_energy;        ///< initial specific internal energy [J/kg]
   Field density;                ///< [kg/m^3]
   Field internal_energy;        ///< specific [J/kg]
   SymmetricTensorField stress;  ///< Cauchy [Pa]
@@ -46,17 +46,18 @@ struct Fluid {
   double wave_speed() const {
     return properties.state.sound_speed(properties.pressure, properties.density);
   }
-  double shear_wave_speed() const { return 0; }  ///< there is no such wave [m/s]
-  /// Present volume [m^3] of a group of this mass [kg].
+  double shear_wave_speed() const { return 0; }  ///< fluids have no shear waves [m/s]
+  /// Current volume [m^3] of a group of this mass [kg].
   Lanes volume(const PointGroup& group, const Lanes& mass) const {
     return mass / group.load(density);
   }
-  /// Steps density (4.37), internal energy (4.40) and stress (4.39) by dt. `length` is the
-  /// characteristic length (4.46). Returns which points lost a positive density.
+  /// Advances density (4.37), internal energy (4.40) and stress (4.39) by dt [s] at a velocity
+  /// gradient [1/s]. `length` [m] is the characteristic length (4.46). Returns a mask of the points
+  /// whose density is no longer positive.
   LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt,
                   double length);
 
-  /// Calls f(Field) for what steps change.
+  /// Calls f(Field) for each field that a step changes.
   template <class F>
   void for_each_field(F f) {
     f(density);
@@ -88,8 +89,8 @@ inline LaneMask Fluid::update(const PointGroup& group, const VelocityGradient& g
                     artificial.linear * sound * divergence),
                Lanes{});
   }
-  // The source iterates (4.36)-(4.41). The equation of state is linear in I, so the limit of the
-  // iteration is the solution of one linear equation.
+  // The source iterates (4.36)-(4.41). The equation of state is linear in I, so one linear equation
+  // gives the limit of the iteration.
   const Lanes dissipation =
       2.0 * mu * contract(rate, rate) - 2.0 / 3.0 * mu * divergence * divergence;
   const bool mean = properties.energy_increment == EnergyIncrement::mean_pressure;

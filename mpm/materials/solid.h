@@ -12,25 +12,25 @@ struct ElasticProperties {
   double youngs_modulus;  ///< E [Pa]
   double poisson_ratio;   ///< nu [-], below 0.5
 
-  /// Its moduli without the density.
+  /// The elastic moduli.
   ElasticModuli moduli() const { return {youngs_modulus, poisson_ratio}; }
 };
 
-/// Throws ModelError.
+/// Throws ModelError for values out of range.
 void check(const ElasticProperties& properties);
 
-/// The law of a material that is elastic for ever.
+/// The law of a linear elastic material.
 struct Elastic {};
 
-/// What a law keeps of each point of a solid, and how it limits the stress. A state has
+/// State of a solid's points under a law, and the law's limit on the stress. A state has
 ///     SolidState(const Law&, int points);                    throws ModelError
-///     SymmetricTensorField& elastic_stress(stress);          the tensor that Hooke's law drives
+///     SymmetricTensorField& elastic_stress(stress);          the tensor that Hooke's law advances
 ///     SymmetricTensorLanes limit(group, trial, gradient, dt, properties, law);  Cauchy stress
 ///     for_each_field(f);
 template <class Law>
 struct SolidState;
 
-/// Nothing to keep and nothing to limit.
+/// Linear elasticity: no state, no limit.
 template <>
 struct SolidState<Elastic> {
   /// See SolidState.
@@ -48,44 +48,41 @@ struct SolidState<Elastic> {
   void for_each_field(F) {}
 };
 
-/// Isotropic solid in rate form (3.41)-(3.42): Hooke's law, then what its law (Elastic, VonMises,
-/// Elastodamage) leaves of the stress. The stress is turned with the material by the Jaumann rate,
-/// which the source omits: without it a turning body would make stress.
+/// Isotropic solid in rate form (3.41)-(3.42): Hooke's law, then the limit that its law (Elastic,
+/// VonMises, Elastodamage) sets to the stress. The Jaumann rate rotates the stress with the
+/// material; the source omits it, but without it a rotating body would gain stress.
 template <class Law>
 struct Solid {
-  /// Its points bring internal forces.
+  /// Its points contribute internal forces.
   static constexpr bool has_stress = true;
 
-  /// Throws ModelError.
+  /// Points without stress. Throws ModelError.
   Solid(const ElasticProperties& properties, int points, const Law& law = {});
 
-  /// Constants of all points.
-  ElasticProperties properties;
-  /// How the stress is limited.
-  Law law;
-  Field density;                ///< [kg/m^3]
-  SymmetricTensorField stress;  ///< Cauchy [Pa]
-  /// What the law keeps of each point.
-  SolidState<Law> state;
+  ElasticProperties properties;  ///< constants of all points
+  Law law;                       ///< limits the stress
+  Field density;                 ///< [kg/m^3]
+  SymmetricTensorField stress;   ///< Cauchy [Pa]
+  SolidState<Law> state;         ///< of the law, per point
 
-  /// Primary wave (5.46) [m/s].
+  /// Primary wave speed (5.46) [m/s].
   double wave_speed() const {
     return std::sqrt(properties.moduli().constrained() / properties.density);
   }
-  /// Secondary wave (5.47) [m/s].
+  /// Secondary wave speed (5.47) [m/s].
   double shear_wave_speed() const {
     return std::sqrt(properties.moduli().shear() / properties.density);
   }
-  /// Present volume [m^3] of a group of this mass [kg].
+  /// Current volume [m^3] of a group of this mass [kg].
   Lanes volume(const PointGroup& group, const Lanes& mass) const {
     return mass / group.load(density);
   }
-  /// Steps density and stress (3.41)-(3.42) by dt [s] at a velocity gradient [1/s]; needs no
-  /// length. Returns which points lost a positive density.
+  /// Advances density and stress (3.41)-(3.42) by dt [s] at a velocity gradient [1/s]; does not use
+  /// `length`. Returns a mask of the points whose density is no longer positive.
   LaneMask update(const PointGroup& group, const VelocityGradient& gradient, double dt,
                   double length);
 
-  /// Calls f(Field) for what steps change.
+  /// Calls f(Field) for each field that a step changes.
   template <class F>
   void for_each_field(F f) {
     f(density);
@@ -94,10 +91,10 @@ struct Solid {
   }
 };
 
-/// A solid that is elastic for ever.
+/// A linear elastic solid.
 using LinearElastic = Solid<Elastic>;
 
-/// The stress [Pa] that a step of dt [s] makes of `s` by Hooke's law and the Jaumann rate.
+/// Stress [Pa] after a step of dt [s] from the stress `s`, by Hooke's law and the Jaumann rate.
 inline SymmetricTensorLanes elastic_step(const SymmetricTensorLanes& s,
                                          const VelocityGradient& gradient,
                                          const SymmetricTensorLanes& rate,
@@ -133,10 +130,10 @@ Solid<Law>::Solid(const ElasticProperties& p, int points, const Law& l)
   for (auto& component : stress) component.assign(points, 0.0);
 }
 
-/// Whether a material is a solid in three dimensions, whatever its law.
+/// True if a material is a solid in three dimensions, with any law.
 template <class Material>
 inline constexpr bool is_solid = false;
-/// True for the solids of every law.
+/// The case of a solid.
 template <class Law>
 inline constexpr bool is_solid<Solid<Law>> = true;
 

@@ -13,7 +13,7 @@ namespace {
 
 const double sqrt_two_thirds = std::sqrt(2.0 / 3.0);
 
-/// The strength's softening line, continued back to `internal` [Pa].
+/// Strength [Pa] on the softening line, extended to any internal variable.
 double softening_line(const VonMises& m, double internal) {
   return m.peak_strength - m.softening_modulus * (internal - m.peak_strain());
 }
@@ -41,9 +41,9 @@ void check(const VonMises& m) {
   }
   if (m.peak_strength > m.yield_strength && !(m.hardening_modulus > 0)) {
     throw ModelError(
-        fmt::format("without a hardening modulus the peak strength of {} Pa is never reached from "
-                    "{} Pa; give the modulus, or make the two strengths equal",
-                    m.peak_strength, m.yield_strength));
+        fmt::format("without a hardening modulus the strength cannot rise from {} Pa to its peak "
+                    "of {} Pa; give a hardening modulus, or make the two strengths equal",
+                    m.yield_strength, m.peak_strength));
   }
   if (m.decohesion) check(*m.decohesion);
 }
@@ -105,13 +105,14 @@ double PlaneStressFlow::increment(double t) const {
   return std::sqrt(xx * xx + yy * yy + zz * zz + 2 * xy * xy);
 }
 
-/// The equivalent stress is to be strength + modulus times the increment. With the increment
-/// sqrt(2/3) x q this reads q (1 + b t/(1 - t)) = strength, b = -sqrt(2/3) modulus / (2 G), and the
-/// square of it has two terms,
+/// Finds t at which the equivalent stress equals strength + modulus * increment. The increment is
+/// sqrt(2/3) x q, so the equation is q (1 + b t/(1 - t)) = strength with
+/// b = -sqrt(2/3) modulus / (2 G). Its square has two terms,
 ///     sum^2/2 ((1 - t + b t)/(1 - t + r t))^2 + (3/2 difference^2 + 3 shear^2) (1 - t + b t)^2.
-/// Both fall where b < r: one root at most, which Newton's method finds between two bounds. For
-/// r <= b < 1 the sum is convex: Newton's method from t = 0 finds the first root, if there is one.
-double PlaneStressFlow::meets_line(double strength, double modulus) const {
+/// For b < r both decrease: there is at most one root, which Newton's method finds between two
+/// bounds. For r <= b < 1 the sum is convex: Newton's method from t = 0 finds the first root, if
+/// there is one.
+double PlaneStressFlow::intersect_line(double strength, double modulus) const {
   const double b = -sqrt_two_thirds * modulus / two_g_;
   const double of_sum = 0.5 * sum_ * sum_;
   const double of_rest = 1.5 * difference_ * difference_ + 3 * shear_ * shear_;
@@ -142,10 +143,10 @@ double PlaneStressFlow::meets_line(double strength, double modulus) const {
 
 double PlaneStressFlow::end(const VonMises& m, double internal) const {
   if (internal < m.peak_strain()) {
-    const double t = meets_line(m.strength(internal), m.hardening_modulus);
+    const double t = intersect_line(m.strength(internal), m.hardening_modulus);
     if (internal + increment(t) <= m.peak_strain()) return t;
   }
-  return meets_line(softening_line(m, internal), -m.softening_modulus);
+  return intersect_line(softening_line(m, internal), -m.softening_modulus);
 }
 
 double PlaneStressFlow::at_increment(double wanted) const {

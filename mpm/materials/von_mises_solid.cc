@@ -71,7 +71,7 @@ void SolidState<VonMises>::flow(int p, Stress& stress, const ElasticModuli& modu
   const Matrix3d spherical = stress.trace() / 3 * Matrix3d::Identity();
   const Matrix3d deviator = stress - spherical;
   const double trial = std::sqrt(1.5) * deviator.norm();
-  if (!(trial > strength[p])) return;  // beyond it by rounding only
+  if (!(trial > strength[p])) return;  // exceeded by rounding only
   const double stiffness = radial_stiffness(moduli.shear());
   PlasticFlow flow = return_along(law, trial, internal[p], stiffness);
   const double softening_begins = std::max(internal[p], law.peak_strain());
@@ -109,7 +109,7 @@ void SolidState<VonMises>::open(int p, Stress& stress, const ElasticModuli& modu
   const double before = elastic_energy(stress, moduli);
   const Vector3d normal(surfaces.normal[0][p], surfaces.normal[1][p], surfaces.normal[2][p]);
   const double length = effective_length(normal, law.cell);
-  for (int i = 0; i < most_repetitions; ++i) {
+  for (int i = 0; i < max_decohesion_updates; ++i) {
     if (!open_once(p, stress, normal, length, moduli, law)) break;
   }
   if (surfaces.failed(p)) stress.setZero();

@@ -6,32 +6,32 @@
 
 namespace zona::mpm {
 
-/// Points of a von Mises solid: radial return, and where the flow localises, decohesion. Only
-/// points beyond their strength leave the eight lanes.
+/// State of the points of a von Mises solid: radial return, and decohesion once the flow localises.
+/// Only points beyond their strength are processed one by one.
 ///
-/// The direction of the return is that of the trial stress. When a step leaves the hardening
-/// branch and the softening would lose ellipticity, the flow stops at the peak, and what is left of
-/// the step's strain opens the surface of decohesion.
+/// The return has the direction of the trial stress. If a step leaves the hardening branch and the
+/// softening would lose ellipticity, the flow stops at the peak, and the rest of the step's strain
+/// opens the surface of decohesion.
 template <>
 struct SolidState<VonMises> {
-  /// Throws ModelError.
+  /// Points without plastic strain. Throws ModelError.
   SolidState(const VonMises& law, int points);
 
   Field internal;                ///< I_s of (5.15) [-]
-  Field strength;                ///< what the equivalent stress may be [Pa]
-  Field dissipated;              ///< by plastic flow [J/m^3]
-  DecohesionFields<3> surfaces;  ///< the normals turn with the material
+  Field strength;                ///< limit of the equivalent stress [Pa]
+  Field dissipated;              ///< energy dissipated by plastic flow [J/m^3]
+  DecohesionFields<3> surfaces;  ///< their normals rotate with the material
 
   /// The stress itself.
   SymmetricTensorField& elastic_stress(SymmetricTensorField& stress) { return stress; }
-  /// The trial stress [Pa], returned to the strength by plastic flow, or by opening of the surface.
+  /// The trial stress [Pa], returned to the strength by plastic flow or by opening of the surface.
   SymmetricTensorLanes limit(const PointGroup& group, SymmetricTensorLanes trial,
                              const VelocityGradient& gradient, double dt,
                              const ElasticProperties& properties, const VonMises& law);
-  /// Its surface has opened: no stress is left, tension or compression.
+  /// True if the surface has opened: the point carries neither tension nor compression.
   bool failed(int p) const { return surfaces.failed(p); }
 
-  /// Calls f(Field) for what steps change.
+  /// Calls f(Field) for each field that a step changes.
   template <class F>
   void for_each_field(F f) {
     f(internal);
@@ -48,7 +48,7 @@ struct SolidState<VonMises> {
   void flow(int p, Stress& stress, const ElasticModuli& moduli, const VonMises& law);
   bool localise(int p, const Stress& on_surface, const ElasticModuli& moduli, const VonMises& law);
   void open(int p, Stress& stress, const ElasticModuli& moduli, const Decohesion& law);
-  /// One step (5.41). Whether another may be needed.
+  /// One update (5.41). Returns true if another may be needed.
   bool open_once(int p, Stress& stress, const Eigen::Vector3d& normal, double length,
                  const ElasticModuli& moduli, const Decohesion& law);
   void turn_normal(int p, const Eigen::Matrix3d& turn);

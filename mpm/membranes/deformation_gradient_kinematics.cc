@@ -21,16 +21,23 @@ std::array<int, 2> other_vertices(const Triangle& t, int point) {
   return {t[(v + 1) % 3], t[(v + 2) % 3]};
 }
 
-/// The least rotation that turns one unit vector into another, not its opposite. Eigen's
-/// FromTwoVectors does the same, but compiles a singular value decomposition for the opposite.
-Eigen::Quaterniond turn_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+/// Smallest rotation from one unit vector to another that is not its opposite. Eigen's
+/// FromTwoVectors does the same, but compiles a singular value decomposition for opposite vectors.
+Eigen::Quaterniond rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d a = from.normalized();
   const Eigen::Vector3d b = to.normalized();
   const double twice_cosine = std::sqrt((1 + b.dot(a)) * 2);
-  Eigen::Quaterniond turn;
-  turn.vec() = a.cross(b) * (1 / twice_cosine);
-  turn.w() = twice_cosine * 0.5;
-  return turn;
+  Eigen::Quaterniond rotation;
+  rotation.vec() = a.cross(b) * (1 / twice_cosine);
+  rotation.w() = twice_cosine * 0.5;
+  return rotation;
+}
+
+TangentBasis tangent_basis(const Eigen::Vector3d& normal) {
+  TangentBasis basis;
+  basis.col(0) = normal.unitOrthogonal();
+  basis.col(1) = normal.cross(basis.col(0));
+  return basis;
 }
 
 }  // namespace
@@ -55,18 +62,22 @@ DeformationGradientKinematics::DeformationGradientKinematics(const MaterialPoint
   for (auto& component : gradient_) component.assign(count, 0.0);
 }
 
-void DeformationGradientKinematics::build_weights(int point, const Surface& surface) {
-  const int begin = first_neighbour_[point];
-  const int end = first_neighbour_[point + 1];
-  std::fill(weight_.begin() + begin, weight_.begin() + end, std::array<double, 2>{});
+Eigen::Vector3d DeformationGradientKinematics::point_normal(int point,
+                                                            const Surface& surface) const {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (const int* t = surface.triangles_begin(point); t != surface.triangles_end(point); ++t) {
     normal += reference_normal(surface.triangles()[*t], reference_);
   }
   normal.normalize();
-  TangentBasis basis;
-  basis.col(0) = normal.unitOrthogonal();
-  basis.col(1) = normal.cross(basis.col(0));
+  return normal;
+}
+
+void DeformationGradientKinematics::build_weights(int point, const Surface& surface) {
+  const int begin = first_neighbour_[point];
+  const int end = first_neighbour_[point + 1];
+  std::fill(weight_.begin() + begin, weight_.begin() + end, std::array<double, 2>{});
+  const Eigen::Vector3d normal = point_normal(point, surface);
+  const TangentBasis basis = tangent_basis(normal);
 
   double total_area = 0;
   TangentBasis reference_gradient = TangentBasis::Zero();
@@ -80,11 +91,12 @@ void DeformationGradientKinematics::build_weights(int point, const Surface& surf
     if (!surface.intact(*t)) continue;
     const Triangle& triangle = surface.triangles()[*t];
     const auto [b, c] = other_vertices(triangle, point);
-    // The triangle, turned into the point's tangent plane about their common line.
-    const Eigen::Quaterniond turn = turn_between(reference_normal(triangle, reference_), normal);
+    // Rotate the triangle into the point's tangent plane about their common line.
+    const Eigen::Quaterniond rotation =
+        rotation_between(reference_normal(triangle, reference_), normal);
     Eigen::Matrix2d edges;
-    edges.col(0) = basis.transpose() * (turn * (reference_[b] - reference_[point]));
-    edges.col(1) = basis.transpose() * (turn * (reference_[c] - reference_[point]));
+    edges.col(0) = basis.transpose() * (rotation * (reference_[b] - reference_[point]));
+    edges.col(1) = basis.transpose() * (rotation * (reference_[c] - reference_[point]));
     const double area = 0.5 * edges.determinant();
     const Eigen::Matrix2d inverse = area * edges.inverse();
     total_area += area;
@@ -92,7 +104,8 @@ void DeformationGradientKinematics::build_weights(int point, const Surface& surf
     add(c, inverse.row(1));
   }
   if (!(total_area > 0)) return;
-  // The mean over triangles in different planes is not quite an isometry: make it one at rest.
+  // The mean over triangles in different planes is not quite an isometry. Correct it, so that the
+  // undeformed surface has no strain.
   reference_gradient /= total_area;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> stretch(reference_gradient.transpose() *
                                                                reference_gradient);
@@ -127,8 +140,8 @@ LocalStrain DeformationGradientKinematics::local_strain(const PointGroup& group)
   const Lanes c11 = dot(f1, f1);
   const Lanes c22 = dot(f2, f2);
   const Lanes c12 = dot(f1, f2);
-  // Square root of the 2 x 2 tensor C (Cayley-Hamilton); a point without triangles has F = 0: no
-  // strain.
+  // Square root of the 2 x 2 tensor C (Cayley-Hamilton). A point without triangles has F = 0 and
+  // gets no strain.
   const Lanes det = square_root(larger(c11 * c22 - c12 * c12, Lanes{}));
   const Lanes scale = 1.0 / square_root(larger(c11 + c22 + 2.0 * det, broadcast(1e-30)));
   const LaneMask has_triangles = c11 + c22 > 0.0;

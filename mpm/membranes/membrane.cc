@@ -110,7 +110,7 @@ void Membrane::drop_failed() {
 
 void Membrane::drop_all_failed() {
   failed_points = 0;
-  std::vector<std::pair<double, int>> failures;  // in the order in which they happened
+  std::vector<std::pair<double, int>> failures;  // sorted by time
   for (int p = 0; p < static_cast<int>(strain.size()); ++p) {
     if (failed(p)) failures.emplace_back(integrity.failure_time[p], p);
   }

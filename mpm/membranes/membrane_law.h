@@ -5,10 +5,10 @@
 
 namespace zona::mpm {
 
-/// What a membrane does where it would be compressed.
+/// Behaviour of a membrane under compression.
 enum class OneWay {
-  stress,  ///< taut, wrinkled (uniaxial stress) or slack, told apart by the principal stresses
-  strain,  ///< as in 4.1: negative principal strains are zeroed before the plane-stress law
+  stress,  ///< taut, wrinkled (uniaxial stress) or slack, according to the principal stresses
+  strain,  ///< as in 4.1: sets negative principal strains to zero before the plane-stress law
   off      ///< carries compression
 };
 
@@ -18,14 +18,14 @@ struct MembraneProperties {
   double thickness;                 ///< [m]
   double youngs_modulus;            ///< E [Pa]
   double poisson_ratio;             ///< nu [-]
-  OneWay one_way = OneWay::stress;  ///< what it does under compression
+  OneWay one_way = OneWay::stress;  ///< behaviour under compression
 
-  /// Its moduli without density and thickness.
+  /// The elastic moduli.
   ElasticModuli moduli() const { return {youngs_modulus, poisson_ratio}; }
 };
 
-/// Plane-stress elastic stress [Pa] (4.7)-(4.8) with the one-way law, at principal elastic strains
-/// `e`: its principal values, and the axes of the strain.
+/// Elastic plane stress [Pa] (4.7)-(4.8) with the one-way law: its principal values for the
+/// principal elastic strains `e`, with the same axes.
 template <class T>
 inline PrincipalValues<T> one_way_stress(const PrincipalValues<T>& e, const MembraneProperties& p) {
   const double plane_stress = p.moduli().plane_stress();
@@ -46,7 +46,7 @@ inline PrincipalValues<T> one_way_stress(const PrincipalValues<T>& e, const Memb
   return {s1, s2, e.cos2, e.sin2};
 }
 
-/// The same in the axes of the local frame.
+/// The same stress, as components in the local frame.
 inline InPlane membrane_stress(const Principal& e, const MembraneProperties& p) {
   return in_axes(one_way_stress(e, p));
 }

@@ -9,8 +9,8 @@
 
 namespace zona::mpm {
 
-/// Elastic for ever, the stress updated by increments of the local strain (5.42) instead of its
-/// total. One and the same curve, as Figure 5.9 shows: this law is there to show it.
+/// Linear elasticity whose stress is updated by increments of the local strain (5.42) instead of
+/// the total strain. Both give the same curve; this law exists to show it (Figure 5.9).
 struct IncrementalElastic {};
 
 /// Stress [Pa] and elastic strain of eight membrane points in their local frames.
@@ -19,28 +19,29 @@ struct MembraneResponse {
   InPlane elastic_strain;  ///< local xx yy xy [-]
 };
 
-/// What became of the points of a membrane; a state enters the failures of a step, from any thread.
+/// Damage and failures of the points of a membrane. The state of a law records the failures of a
+/// step, from any thread.
 struct MembraneIntegrity {
-  /// All points intact.
+  /// Intact points.
   explicit MembraneIntegrity(int points);
 
   Field left;                     ///< 1 - damage, or 1 - lambda^d; 0 = failed [-]
   Field failure_time;             ///< [s]; infinite while intact
-  double time = 0;                ///< of the running step [s]
+  double time = 0;                ///< of the current step [s]
   std::vector<int> newly_failed;  ///< in this step, in any order
 
-  bool failed(int p) const { return left[p] == 0; }  ///< nothing is left of point p
-  void fail(int p);                                  ///< from any thread
+  bool failed(int p) const { return left[p] == 0; }  ///< true if point p has failed
+  void fail(int p);  ///< records the failure of point p; may be called from any thread
 };
 
-/// What a law keeps of each point of a membrane. A state has
+/// State of a membrane's points under a law. A state has
 ///     MembraneState(const Law&, int points);          throws ModelError
 ///     MembraneResponse respond(group, local strain, its principal values, properties, integrity);
 ///     for_each_field(f);
 template <class Law>
 struct MembraneState;
 
-/// Nothing to keep: the stress follows from the strain.
+/// Linear elasticity: no state, the stress follows from the strain.
 template <>
 struct MembraneState<Elastic> {
   /// See MembraneState.
@@ -55,10 +56,10 @@ struct MembraneState<Elastic> {
   void for_each_field(F) {}
 };
 
-/// The strain of the last step and the stress that all increments add up to.
+/// Strain of the previous step and the sum of all stress increments.
 template <>
 struct MembraneState<IncrementalElastic> {
-  /// No strain, no stress.
+  /// Zero strain and stress.
   MembraneState(const IncrementalElastic&, int points);
 
   std::array<Field, 3> previous_strain;  ///< local, xx yy xy [-]
@@ -67,7 +68,7 @@ struct MembraneState<IncrementalElastic> {
   /// The summed stress with the one-way law (5.42).
   MembraneResponse respond(const PointGroup& group, const LocalStrain& local, const Principal&,
                            const MembraneProperties& p, MembraneIntegrity&);
-  /// Calls f(Field) for what steps change.
+  /// Calls f(Field) for each field that a step changes.
   template <class F>
   void for_each_field(F f) {
     for (auto& component : previous_strain) f(component);
@@ -75,19 +76,19 @@ struct MembraneState<IncrementalElastic> {
   }
 };
 
-/// The damage of each point, which only grows.
+/// Damage of each point; it never decreases.
 template <>
 struct MembraneState<Elastodamage> {
-  /// No damage. Throws ModelError.
+  /// Undamaged points. Throws ModelError.
   MembraneState(const Elastodamage& law, int points);
 
   Elastodamage law;  ///< its constants
   Field damage;      ///< omega of (5.11) [-]
 
-  /// Lets the damage grow (5.11); the elastic stress times what is left (5.9)-(5.10).
+  /// Updates the damage (5.11) and returns the elastic stress times the integrity (5.9)-(5.10).
   MembraneResponse respond(const PointGroup& group, const LocalStrain& local, const Principal& e,
                            const MembraneProperties& p, MembraneIntegrity& integrity);
-  /// Calls f(Field) for what steps change.
+  /// Calls f(Field) for each field that a step changes.
   template <class F>
   void for_each_field(F f) {
     f(damage);

@@ -10,7 +10,7 @@ SummedStrainKinematics::SummedStrainKinematics(const MaterialPoints& points, Sur
   for (auto* vectors : {&normal_, &tangent_}) {
     for (auto& component : *vectors) component.assign(count, 0.0);
   }
-  surface.find_normals(points.position, 1);
+  surface.compute_normals(points.position, 1);
   for (int first = 0; first < count; first += lane_count) {
     const VectorLanes sum = surface.normal_sum(first);
     consecutive(first, count).store(normal_, scaled(sum, 1.0 / square_root(dot(sum, sum))));
@@ -45,7 +45,7 @@ void SummedStrainKinematics::follow(const PointGroup& group, const std::array<Fi
   const Lanes back = dot(z, x);
   VectorLanes turned;
   for (int i = 0; i < 3; ++i) turned[i] = c * x[i] + along * w[i] - back * old_z[i];
-  // Round-off must not accumulate over 1e5 steps.
+  // Orthonormalise, so that rounding errors do not accumulate over 1e5 steps.
   const Lanes off = dot(turned, z);
   for (int i = 0; i < 3; ++i) turned[i] -= off * z[i];
   group.store(tangent_, scaled(turned, 1.0 / square_root(dot(turned, turned))));

@@ -50,16 +50,14 @@ Surface::Surface(std::vector<Triangle> triangles, const std::vector<Eigen::Vecto
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     for (int v : triangles_[t]) around_[next[v]++] = static_cast<int>(t);
   }
-  arrange_in_eights();
+  pad_to_lanes();
 }
 
-void Surface::arrange_in_eights() {
-  const auto whole_eights = [](std::size_t n) {
-    return (n + lane_count - 1) / lane_count * lane_count;
-  };
-  const std::size_t triangles = whole_eights(triangles_.size() + 1);
+void Surface::pad_to_lanes() {
+  const auto padded = [](std::size_t n) { return (n + lane_count - 1) / lane_count * lane_count; };
+  const std::size_t triangles = padded(triangles_.size() + 1);
   for (int corner = 0; corner < 3; ++corner) {
-    vertex_[corner].assign(triangles, 0);  // without area: no normal
+    vertex_[corner].assign(triangles, 0);  // padding has no area and hence no normal
     for (std::size_t t = 0; t < triangles_.size(); ++t) vertex_[corner][t] = triangles_[t][corner];
   }
   for (auto& component : normal_) component.assign(triangles, 0.0);
@@ -70,7 +68,7 @@ void Surface::arrange_in_eights() {
   for (std::size_t p = 0; p < points; ++p)
     most = std::max(most, first_around_[p + 1] - first_around_[p]);
   const int none = static_cast<int>(triangles) - 1;
-  column_.assign(most, std::vector<int>(whole_eights(points), none));
+  column_.assign(most, std::vector<int>(padded(points), none));
   for (std::size_t p = 0; p < points; ++p) {
     for (int k = 0; k < first_around_[p + 1] - first_around_[p]; ++k)
       column_[k][p] = around_[first_around_[p] + k];
@@ -99,7 +97,7 @@ std::vector<int> Surface::drop_triangles_of(int point) {
   return others;
 }
 
-void Surface::find_normals(const std::array<Field, 3>& position, int threads) {
+void Surface::compute_normals(const std::array<Field, 3>& position, int threads) {
   const int count = static_cast<int>(vertex_[0].size());
 #pragma omp parallel for num_threads(threads) schedule(static)
   for (int first = 0; first < count; first += lane_count) {

@@ -10,11 +10,11 @@ namespace {
 
 using Frame = Eigen::Matrix<double, 3, 2>;
 
-/// The elastic stress of a point, and how it changes with the strain.
+/// Elastic stress of a point and its derivatives with respect to the strain.
 struct ElasticPoint {
   PrincipalValues<double> strain;
   PrincipalValues<double> stress;
-  bool one_axis;       ///< wrinkled: the second principal strain changes nothing
+  bool one_axis;       ///< wrinkled: the second principal strain has no effect
   double first_axis;   ///< d first stress / d first strain [Pa]
   double second_axis;  ///< d second stress / d first strain [Pa]
 
@@ -33,7 +33,7 @@ struct ElasticPoint {
   double energy() const {
     return 0.5 * (stress.first * strain.first + stress.second * strain.second);
   }
-  /// The change of the stress with the elastic strain, both along the principal axes.
+  /// Change of the stress for a change `a` of the elastic strain, both along the principal axes.
   PlaneTensor stress_change(const PlaneTensor& a) const {
     const double along_second = one_axis ? 0 : a.yy;
     const double turning = strain.first > strain.second
@@ -44,7 +44,7 @@ struct ElasticPoint {
   }
 };
 
-/// A tensor given along principal axes, in the local frame.
+/// Transforms a tensor from principal axes to the local frame.
 PlaneTensor from_axes(const PlaneTensor& a, const PrincipalValues<double>& axes) {
   const double mean = 0.5 * (a.xx + a.yy);
   const double half = 0.5 * (a.xx - a.yy);
@@ -52,7 +52,7 @@ PlaneTensor from_axes(const PlaneTensor& a, const PrincipalValues<double>& axes)
   return {mean + along, mean - along, a.xy * axes.cos2 + half * axes.sin2};
 }
 
-/// A tensor of the local frame, along principal axes.
+/// Transforms a tensor from the local frame to principal axes.
 PlaneTensor to_axes(const PlaneTensor& a, const PrincipalValues<double>& axes) {
   return from_axes(a, {axes.first, axes.second, axes.cos2, -axes.sin2});
 }
@@ -61,8 +61,8 @@ Eigen::Vector2d times(const PlaneTensor& a, const Eigen::Vector2d& v) {
   return {a.xx * v.x() + a.xy * v.y(), a.xy * v.x() + a.yy * v.y()};
 }
 
-/// The plastic flow of a step under tension along one axis, the second principal stress a fixed
-/// fraction of the first: equivalent stress and flow direction N of (5.17) per unit of the first.
+/// Plastic flow under tension along one axis, where the second principal stress is a fixed fraction
+/// of the first: equivalent stress and flow direction N of (5.17) per unit of the first.
 struct OneAxisFlow {
   double equivalent;
   double first, second;  ///< N
@@ -173,7 +173,7 @@ void MembraneState<VonMises>::open(int p, PlaneTensor& elastic, const Frame& fra
   const double before = ElasticPoint(elastic, m).energy();
   const Eigen::Vector2d normal(surfaces.normal[0][p], surfaces.normal[1][p]);
   const double length = effective_length(frame * normal, law.decohesion->cell);
-  for (int i = 0; i < most_repetitions; ++i) {
+  for (int i = 0; i < max_decohesion_updates; ++i) {
     if (!open_once(p, elastic, normal, length, m)) break;
   }
   const double after = surfaces.failed(p) ? 0 : ElasticPoint(elastic, m).energy();

@@ -15,13 +15,13 @@ using HalfLanes = double __attribute__((vector_size(32)));
 
 inline constexpr int lane_count = 8;  ///< numbers computed together
 
-// What Lanes and LaneMask are made of: one register of AVX-512, or else two halves. They are
-// classes on all processors so that the names of functions do not depend on it.
+// Lanes and LaneMask consist of one AVX-512 register, or of two halves. They are classes on all
+// processors so that function names do not depend on the instruction set.
 #ifdef __AVX512F__
 using WholeLanes = double __attribute__((vector_size(64)));
 #endif
 
-/// What a comparison of Lanes gives: -1 where true, 0 where false.
+/// Result of a comparison of Lanes: -1 where true, 0 where false.
 class LaneMask {
  public:
   /// Four of the eight.
@@ -76,7 +76,7 @@ class LaneMask {
 };
 
 /// Eight doubles that are computed together: the eight nodes of a cell, the eight fields of a node,
-/// or eight points of a cell. A number stands for eight of it.
+/// or eight points of a cell. A single number converts to eight copies.
 class alignas(64) Lanes {
  public:
   constexpr Lanes() : Lanes(0.0) {}
@@ -106,7 +106,7 @@ class alignas(64) Lanes {
   HalfLanes low;   ///< the first four lanes
   HalfLanes high;  ///< the last four lanes
 #endif
-  /// For lanes in memory; in registers it is slow.
+  /// Lane l for writing; slow for lanes in registers.
   double& operator[](int l) {
     return reinterpret_cast<double*>(this)[l];
   }
@@ -180,7 +180,7 @@ inline Lanes broadcast(double value) {
 }
 
 /// @{
-/// The first or last four lanes, and eight of two times four.
+/// The first or last four lanes, and the inverse: eight lanes from two halves.
 inline HalfLanes low_half(const Lanes& a) {
 #ifdef __AVX512F__
   return __builtin_shufflevector(a.whole, a.whole, 0, 1, 2, 3);
@@ -228,7 +228,7 @@ inline void store(double* target, const Lanes& lanes) {
 #endif
 }
 
-/// The first `count` lanes from memory, the first of them in the others too; `count` is at least 1.
+/// Loads the first `count` lanes, at least 1; the other lanes repeat the first number.
 inline Lanes load_first(const double* source, int count) {
 #ifdef __AVX512F__
   return Lanes(_mm512_mask_loadu_pd(_mm512_set1_pd(*source),
@@ -261,7 +261,7 @@ inline Lanes each_lane(F f) {
   return {f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)};
 }
 
-/// Square root, of a number as of its lanes: laws are templates on either.
+/// Square root of a number; the overload for Lanes lets material laws be templates on both.
 inline double square_root(double a) {
   return std::sqrt(a);
 }
@@ -295,14 +295,14 @@ inline double larger(double a, double b) {
   return a > b ? a : b;
 }
 
-/// Whether any of the first `count` lanes is set.
+/// True if any of the first `count` lanes is set.
 inline bool any(const LaneMask& mask, int count = lane_count) {
   long long set = 0;
   for (int l = 0; l < lane_count; ++l) set |= l < count ? mask[l] : 0;
   return set != 0;
 }
 
-/// rows[f][n] -> rows[n][f]: from a field's eight nodes to a node's eight fields.
+/// rows[f][n] -> rows[n][f]: from eight nodes per field to eight fields per node.
 inline void transpose(Lanes (&rows)[8]) {
 #ifdef __AVX512F__
   WholeLanes t[8];
@@ -351,20 +351,20 @@ inline void transpose(Lanes (&rows)[8]) {
 /// Allocates at cache-line boundaries.
 template <class T>
 struct AlignedAllocator {
-  /// What is allocated.
+  /// Type of the elements.
   using value_type = T;
   static constexpr std::align_val_t alignment{64};  ///< of a cache line [bytes]
   AlignedAllocator() = default;
-  /// Of another type: there is no state to take over.
+  /// Conversion between element types; there is no state to copy.
   template <class U>
   AlignedAllocator(const AlignedAllocator<U>&) {}
   /// @{
-  /// Room for n elements, and its return.
+  /// Memory for n elements.
   T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
   void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
   /// @}
   /// @{
-  /// All allocators are alike.
+  /// All allocators are equal.
   bool operator==(const AlignedAllocator&) const { return true; }
   bool operator!=(const AlignedAllocator&) const { return false; }
   /// @}

@@ -13,27 +13,27 @@ using SymmetricTensorField = std::array<Field, 6>;
 /// A symmetric tensor of eight points, same order.
 using SymmetricTensorLanes = std::array<Lanes, 6>;
 
-/// What every body's points have: mass, place and velocity, one array per component.
+/// Mass, position and velocity of the points of a body, one array per component.
 struct MaterialPoints {
   std::array<Field, 3> position;       ///< [m]
   std::array<Field, 3> last_position;  ///< at the start of the running step [m]
   std::array<Field, 3> velocity;       ///< [m/s]
   Field mass;                          ///< [kg]
-  /// The number a point had when it was made: storage is re-ordered, ids stay.
+  /// Number of a point at its creation: storage is reordered, ids stay.
   std::vector<int> id;
 
   int size() const { return static_cast<int>(mass.size()); }  ///< number of points
-  /// Of the point stored at p [m].
+  /// Position of the point stored at p [m].
   Eigen::Vector3d position_of(int p) const {
     return {position[0][p], position[1][p], position[2][p]};
   }
-  /// Of the point stored at p [m/s].
+  /// Velocity of the point stored at p [m/s].
   Eigen::Vector3d velocity_of(int p) const {
     return {velocity[0][p], velocity[1][p], velocity[2][p]};
   }
-  /// Where each point is stored, by id.
+  /// Storage index of each point, by id.
   std::vector<int> storage_by_id() const;
-  /// Calls f(Field) for what steps change, and the mass.
+  /// Calls f(Field) for each field that a step changes, and for the mass.
   template <class F>
   void for_each_field(F f) {
     for (auto* group : {&position, &last_position, &velocity}) {
@@ -43,16 +43,16 @@ struct MaterialPoints {
   }
 };
 
-/// Points at the given places with the given masses [kg] and one velocity [m/s].
+/// Points at these places [m] with these masses [kg] and one velocity [m/s].
 MaterialPoints make_points(const std::vector<Eigen::Vector3d>& places,
                            const std::vector<double>& mass,
                            const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero());
 
-/// Up to eight points of one cell, worked on together. Spare lanes repeat the first point, so that
-/// whatever is computed in them is finite; they are never stored.
+/// Up to eight points of one cell that are processed together. Spare lanes repeat the first point,
+/// so that their results are finite; they are never stored.
 class PointGroup {
  public:
-  /// `count` points, 1 to 8, by their places in the storage.
+  /// `count` points, 1 to 8, by their storage indices.
   PointGroup(const int* points, int count) : count_(count) {
     contiguous_ = true;
     for (int l = 0; l < lane_count; ++l) {
@@ -65,8 +65,8 @@ class PointGroup {
     for (int l = 0; l < lane_count; ++l) point_[l] = first + l;
   }
 
-  int count() const { return count_; }                     ///< points, spare lanes not counted
-  int operator[](int lane) const { return point_[lane]; }  ///< where the point of a lane is stored
+  int count() const { return count_; }                     ///< points, without spare lanes
+  int operator[](int lane) const { return point_[lane]; }  ///< storage index of a lane's point
 
   /// The values of the points.
   Lanes load(const Field& field) const {
@@ -77,7 +77,7 @@ class PointGroup {
     }
     return each_lane([&](int l) { return field[point_[l]]; });
   }
-  /// Stores the points' values; those of spare lanes are dropped.
+  /// Stores the values of the points, without those of spare lanes.
   void store(Field& field, const Lanes& lanes) const {
     if (contiguous_) {
       double* target = field.data() + point_[0];
@@ -102,8 +102,8 @@ class PointGroup {
   }
 
  private:
-  /// Points between the one that is loaded and the one that the caches are told to fetch: storage
-  /// is in the order of the walk, but has too many streams for the processor to follow by itself.
+  /// Distance in points between the one that is loaded and the one that is prefetched. Storage is
+  /// in traversal order, but has too many streams for the hardware prefetcher.
   static constexpr int prefetch_distance = 64;
 
   int point_[lane_count];
@@ -111,7 +111,7 @@ class PointGroup {
   bool contiguous_;
 };
 
-/// The up to eight points that stand from `first` on in a body of `count` points.
+/// Up to eight consecutive points from `first` on, in a body of `count` points.
 inline PointGroup consecutive(int first, int count) {
   if (count - first >= lane_count) return PointGroup(first);
   int points[lane_count];

@@ -12,9 +12,9 @@ struct PlaneValues {
   T xy;  ///< of the tensor: half the engineering shear strain
 };
 
-/// Of one point.
+/// Components at one point.
 using PlaneTensor = PlaneValues<double>;
-/// Of eight points.
+/// Components at eight points.
 using InPlane = PlaneValues<Lanes>;
 
 /// @{
@@ -44,14 +44,15 @@ template <class T>
 struct PrincipalValues {
   T first;   ///< larger value
   T second;  ///< smaller value
-  T cos2;    ///< of twice the angle of the first [-]
-  T sin2;    ///< likewise [-]
+  T cos2;    ///< cosine of twice the angle of the first direction to x [-]
+  T sin2;    ///< sine of the same angle [-]
 };
 
-/// Of eight points.
+/// Principal values at eight points.
 using Principal = PrincipalValues<Lanes>;
 
-/// Principal values of a tensor in the plane (4.22)-(4.24). Of equal ones the first has the x axis.
+/// Principal values of a tensor in the plane (4.22)-(4.24). If both are equal, the first one has
+/// the direction x.
 template <class T>
 inline PrincipalValues<T> principal_values(const PlaneValues<T>& a) {
   const T one = T{} + 1.0;

@@ -8,17 +8,17 @@
 
 namespace zona::mpm {
 
-/// Is shown everything that the future of a computation depends on and that its input does not
-/// tell, each under a name of its own ("bodies/zona/strain"), to store it or to give it the value
-/// that was stored. What is visited has the same size and order both times.
+/// Visits all state that a computation needs to continue and that its input does not contain, each
+/// array under a name of its own ("bodies/zona/strain"), to store or to restore it. Names, sizes
+/// and order must be the same both times.
 class StateVisitor {
  public:
   virtual ~StateVisitor() = default;
 
-  /// Whether values are given back; what follows from them is then to be found anew.
+  /// True if values are restored; the caller then recomputes what depends on them.
   virtual bool is_restoring() const = 0;
   /// @{
-  /// Shows `count` values: reads them, or writes them when restoring.
+  /// Visits `count` values: stores them, or overwrites them when restoring.
   virtual void visit(const std::string& name, double* values, std::size_t count) = 0;
   virtual void visit(const std::string& name, std::int32_t* values, std::size_t count) = 0;
   virtual void visit(const std::string& name, std::int64_t* values, std::size_t count) = 0;

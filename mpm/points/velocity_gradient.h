@@ -19,8 +19,8 @@ inline SymmetricTensorLanes strain_rate(const VelocityGradient& l) {
           0.5 * (l[2][0] + l[0][2])};
 }
 
-/// W s - s W [s per second] with the spin W = (dv_i/dx_j - dv_j/dx_i)/2: how fast the components of
-/// a tensor change that turns with the material (Jaumann).
+/// W s - s W [unit of s per second] with the spin W = (dv_i/dx_j - dv_j/dx_i)/2: the rate of a
+/// tensor that rotates with the material (Jaumann).
 inline SymmetricTensorLanes turning_rate(const VelocityGradient& l, const SymmetricTensorLanes& s) {
   const Lanes wxy = 0.5 * (l[0][1] - l[1][0]);
   const Lanes wyz = 0.5 * (l[1][2] - l[2][1]);
@@ -43,7 +43,7 @@ inline Lanes divergence(const VelocityGradient& l) {
   return l[0][0] + l[1][1] + l[2][2];
 }
 
-/// The same gradient with another divergence; deviator and spin stay.
+/// The gradient with its divergence replaced; deviator and spin stay.
 inline VelocityGradient with_divergence(VelocityGradient l, double other) {
   const Lanes change = (other - divergence(l)) / 3.0;
   for (int i = 0; i < 3; ++i) l[i][i] += change;

@@ -8,7 +8,7 @@ namespace zona::mpm {
 
 namespace {
 
-/// Of the points of one cell.
+/// Sums over the points of one cell.
 struct CellSums {
   double mass = 0;
   double volume = 0;
@@ -30,7 +30,7 @@ CellSums sums_of(const Body& body, const Fluid& fluid, const int* first, const i
   return sums;
 }
 
-/// Where a cell of a brick stands among all cells, x fastest.
+/// Index of a brick's cell among all cells, x fastest.
 std::size_t cell_number(const BackgroundGrid& grid, const Brick& brick, int cell) {
   const int edge = Brick::edge;
   const std::array<int, 3> offset{cell % edge, cell / edge % edge, cell / (edge * edge)};
@@ -55,7 +55,7 @@ std::array<std::vector<double>, 3> boundaries_of(const BackgroundGrid& grid) {
 
 CellFields cell_averages(const Body& body, const BackgroundGrid& grid, const std::string& name) {
   const auto* fluid = std::get_if<Fluid>(&body.material);
-  if (!fluid) throw ModelError("body '" + body.name + "' is no fluid: it has no pressure");
+  if (!fluid) throw ModelError("body '" + body.name + "' is not a fluid and has no pressure");
   const std::size_t count =
       static_cast<std::size_t>(grid.cells()[0]) * grid.cells()[1] * grid.cells()[2];
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -15,7 +15,7 @@ double stored_energy(const Fluid& m, const MaterialPoints& points, int p) {
   return points.mass[p] * (m.internal_energy[p] - m.initial_energy);
 }
 
-/// sigma : C^-1 : sigma / 2 times the volume.
+/// sigma : C^-1 : sigma / 2 times the volume [J].
 double elastic_energy(const SymmetricTensorField& stress, const ElasticModuli& moduli,
                       double volume, int p) {
   double trace = 0;
@@ -92,7 +92,7 @@ BodyTotals totals(const std::vector<Body>& bodies) {
 
 PressureRange cell_averaged_pressure(const Body& body) {
   const auto* fluid = std::get_if<Fluid>(&body.material);
-  if (!fluid) throw ModelError("body '" + body.name + "' is no fluid: it has no pressure");
+  if (!fluid) throw ModelError("body '" + body.name + "' is not a fluid and has no pressure");
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto pressure = [&](int p) {
     return -(fluid->stress[0][p] + fluid->stress[1][p] + fluid->stress[2][p]) / 3;
@@ -128,7 +128,7 @@ PressureRange cell_averaged_pressure(const Body& body) {
 
 double cell_averaged_shear_rate(const Body& body) {
   const auto* fluid = std::get_if<Fluid>(&body.material);
-  if (!fluid) throw ModelError("body '" + body.name + "' is no fluid: it has no shear rate");
+  if (!fluid) throw ModelError("body '" + body.name + "' is not a fluid and has no shear rate");
   if (!(fluid->properties.shear_viscosity > 0)) return 0;
   double largest = 0;
   for (int b = 0; b < body.cells.brick_count(); ++b) {

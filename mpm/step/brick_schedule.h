@@ -12,35 +12,35 @@
 
 namespace zona::mpm {
 
-/// Gives the bricks of a grid to threads. Bricks that share nodes are worked on one after the
-/// other, in the order of their colours, by whichever threads: sums over their points are added in
-/// one order. A brick waits for these neighbours alone, never for all bricks of a colour.
+/// Distributes the bricks of a grid to threads. Bricks that share nodes are processed one after the
+/// other in the order of their colours, which fixes the order of all sums. A brick waits only for
+/// its neighbours, never for all bricks of a colour.
 class BrickSchedule {
  public:
-  /// Shares the bricks of a grid out evenly.
+  /// Distributes the bricks evenly.
   BrickSchedule(const BackgroundGrid& grid, int threads);
 
-  int threads() const { return threads_; }  ///< that work
-  /// Shares the bricks out by their costs: a thread gets bricks that lie side by side, so that
-  /// their points and nodes stay in its caches.
+  int threads() const { return threads_; }  ///< number of threads
+  /// Distributes the bricks by their costs. A thread gets adjacent bricks, whose points and nodes
+  /// stay in its caches.
   void share(const std::vector<double>& cost);
 
-  /// f(brick) for all bricks, those that share nodes in the order of their colours.
+  /// Calls f(brick) for all bricks; bricks that share nodes follow the order of their colours.
   template <class F>
   void in_order(F f);
-  /// f(brick) for all bricks, for what does not write to nodes.
+  /// Calls f(brick) for all bricks in any order; f must not write to nodes.
   template <class F>
   void in_any_order(F f);
 
-  /// From now on the wall time of each brick is taken in `in_order`, until it is asked for.
+  /// Starts to measure the wall time of each brick in `in_order`.
   void start_timing();
   bool is_timing() const { return is_timing_; }  ///< between `start_timing` and `stop_timing`
-  /// Wall time that each brick took since then [s].
+  /// Stops measuring and returns the wall time of each brick [s].
   std::vector<double> stop_timing();
 
  private:
-  /// Rounds without a brick to work on before the processor is given away.
-  static constexpr int patience = 200;
+  /// Rounds without a ready brick before the thread yields the processor.
+  static constexpr int max_idle_rounds = 200;
 
   bool is_ready(int brick) const;
   template <class F>
@@ -48,10 +48,10 @@ class BrickSchedule {
 
   int threads_;
   std::vector<int> by_colour_;                 ///< all bricks
-  std::vector<std::vector<int>> neighbours_;   ///< of each brick, those of lower colours
-  std::vector<std::vector<int>> share_;        ///< of each thread, in the order of colours
-  std::vector<std::vector<int>> pending_;      ///< of each thread in the running pass
-  std::unique_ptr<std::atomic<long>[]> done_;  ///< the last pass that is through with each brick
+  std::vector<std::vector<int>> neighbours_;   ///< per brick, those of lower colours
+  std::vector<std::vector<int>> share_;        ///< per thread, in the order of colours
+  std::vector<std::vector<int>> pending_;      ///< per thread, in the current pass
+  std::unique_ptr<std::atomic<long>[]> done_;  ///< per brick, the last finished pass
   long pass_ = 0;
   bool is_timing_ = false;
   std::vector<double> seconds_;
@@ -96,9 +96,9 @@ void BrickSchedule::in_order(F f) {
         }
         idle = left == pending.size() ? idle + 1 : 0;
         pending.resize(left);
-        if (idle > patience) sched_yield();
+        if (idle > max_idle_rounds) sched_yield();
       }
-    } else if (thread == 0) {  // fewer threads than asked for: nobody to wait for
+    } else if (thread == 0) {  // fewer threads than requested: one thread does all bricks
       for (int b : by_colour_) work_on(b, f);
     }
   }

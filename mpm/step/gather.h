@@ -6,10 +6,11 @@
 
 namespace zona::mpm {
 
-/// Lists the points of a group that left their cells, which cell_of(lane) tells.
+/// Records the points of a group that left their cells; cell_of(lane) is the number of a point's
+/// cell in the brick.
 template <class CellOf>
-inline void note_departures(const PointGroup& group, const std::array<Lanes, 3>& natural,
-                            CellOf cell_of, BrickPoints& points) {
+inline void record_departures(const PointGroup& group, const std::array<Lanes, 3>& natural,
+                              CellOf cell_of, BrickPoints& points) {
   LaneMask outside{};
   for (int axis = 0; axis < 3; ++axis) {
     outside |= ~((natural[axis] >= 0.0) & (natural[axis] < 1.0));
@@ -20,10 +21,10 @@ inline void note_departures(const PointGroup& group, const std::array<Lanes, 3>&
   }
 }
 
-/// Velocities and positions at k+1 of a group of points, from the grid (3.34)-(3.37).
+/// Velocities and positions of a group of points at k+1, from the grid (3.34)-(3.37).
 struct FreeMotion {
-  /// Sets `velocity` [m/s] at k+1 of a group, and its `position` [m], which was the last, from the
-  /// grid's `field` at the natural coordinates.
+  /// Sets `velocity` [m/s] and advances `position` [m] to k+1, from the grid's `field` at the
+  /// natural coordinates.
   template <class Material, class CellField>
   void operator()(Material&, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
@@ -35,13 +36,13 @@ struct FreeMotion {
   }
 };
 
-/// FreeMotion with a fraction of PIC in the velocity: that of the grid at k+1 takes the place of
-/// (3.37). Momentum is the same, motion that the grid does not see dies out, and so does rotation
-/// within a cell.
+/// FreeMotion with a fraction of PIC: the grid's velocity at k+1 replaces that fraction of (3.37).
+/// This conserves momentum, and damps rotation within a cell and motion that the grid cannot
+/// represent.
 struct BlendedMotion {
   double pic;  ///< fraction of PIC, 0 to 1
 
-  /// As FreeMotion.
+  /// Like FreeMotion.
   template <class Material, class CellField>
   void operator()(Material& material, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
@@ -53,18 +54,18 @@ struct BlendedMotion {
   }
 };
 
-/// The prescribed motion of a rigid body; its points' momentum that has to be supplied to keep it
-/// is added to `impulse` [N s].
+/// Prescribed motion of a rigid body. Adds the momentum that this supplies to the points to
+/// `impulse`.
 struct PrescribedMotion {
-  BlendedMotion unhindered;  ///< what the points would do by themselves
-  Eigen::Vector3d& impulse;  ///< supplied to the points [N s]
+  BlendedMotion unconstrained;  ///< motion of the points without the constraint
+  Eigen::Vector3d& impulse;     ///< momentum supplied to the points [N s]
 
-  /// As FreeMotion.
+  /// Like FreeMotion.
   template <class CellField>
   void operator()(const Prescribed& material, MaterialPoints& points, const PointGroup& group,
                   const CellField& field, const std::array<Lanes, 3>& natural, double dt,
                   std::array<Lanes, 3>& velocity, std::array<Lanes, 3>& position) const {
-    unhindered(material, points, group, field, natural, dt, velocity, position);
+    unconstrained(material, points, group, field, natural, dt, velocity, position);
     const Lanes mass = group.load(points.mass);
     for (int axis = 0; axis < 3; ++axis) {
       const Lanes prescribed = broadcast(material.next.velocity[axis]);
@@ -92,7 +93,7 @@ ZONA_FLATTEN inline void gather_cell(Material& material, MaterialPoints& points,
     motion(material, points, group, field, natural, dt, velocity, position);
     group.store(points.velocity, velocity);
     group.store(points.position, position);
-    note_departures(
+    record_departures(
         group, cell.natural(position), [=](int) { return cell_in_brick; }, brick_points);
 
     PointVectors at;
@@ -107,7 +108,7 @@ ZONA_FLATTEN inline void gather_cell(Material& material, MaterialPoints& points,
                          [&](int node, const HalfLanes& sum) { grid.updated[node] += sum; });
 }
 
-/// The same for a batch of points of cells with few.
+/// Does the same for a batch of points from sparsely filled cells.
 template <class Material, class Motion>
 ZONA_FLATTEN inline void gather_batch(Material& material, MaterialPoints& points,
                                       const Batch& batch, double dt, const Motion& motion,
@@ -121,7 +122,7 @@ ZONA_FLATTEN inline void gather_batch(Material& material, MaterialPoints& points
   motion(material, points, group, field, natural, dt, velocity, position);
   group.store(points.velocity, velocity);
   group.store(points.position, position);
-  note_departures(
+  record_departures(
       group, batch.natural(position), [&](int l) { return batch.cell[l]; }, brick_points);
   const Lanes mass = group.load(points.mass);
   trilinear::add_vectors(batch, weights,

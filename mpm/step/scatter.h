@@ -7,8 +7,8 @@
 
 namespace zona::mpm {
 
-/// Stress as it acts on the nodes: that of the points, or their deviators with the mean stress of
-/// the cell [Pa].
+/// Stress that acts on the nodes [Pa]: the points' own, or their deviators plus the mean stress of
+/// the cell.
 template <bool averaged, class Material>
 inline SymmetricTensorLanes acting_stress(const Material& material, const PointGroup& group,
                                           double mean_stress) {
@@ -20,17 +20,18 @@ inline SymmetricTensorLanes acting_stress(const Material& material, const PointG
   return sigma;
 }
 
-/// What a group of points brings to the nodes; `place` is the Cell or Batch that it lies in.
+/// Contributions of a group of points to the nodes; `place` is its Cell or Batch.
 template <bool averaged, class Place, class Material>
-inline PointLoads loads_of(const Material& material, const MaterialPoints& points,
-                           const PointGroup& group, const Place& place, double mean_stress) {
-  PointLoads loads;
+inline PointContributions contributions_of(const Material& material, const MaterialPoints& points,
+                                           const PointGroup& group, const Place& place,
+                                           double mean_stress) {
+  PointContributions to_nodes;
   const auto natural = place.natural(group.load(points.position));
   const Lanes mass = group.load(points.mass);
-  store(loads.mass, mass);
+  store(to_nodes.mass, mass);
   for (int i = 0; i < 3; ++i) {
-    store(loads.natural[i], natural[i]);
-    store(loads.momentum[i], mass * group.load(points.velocity[i]));
+    store(to_nodes.natural[i], natural[i]);
+    store(to_nodes.momentum[i], mass * group.load(points.velocity[i]));
   }
   if constexpr (Material::has_stress) {
     const Lanes volume = material.volume(group, mass);
@@ -38,10 +39,10 @@ inline PointLoads loads_of(const Material& material, const MaterialPoints& point
     constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
     for (int j = 0; j < 3; ++j) {
       const Lanes scale = -place.inverse[j] * volume;
-      for (int i = 0; i < 3; ++i) store(loads.stress[i][j], sigma[component[i][j]] * scale);
+      for (int i = 0; i < 3; ++i) store(to_nodes.stress[i][j], sigma[component[i][j]] * scale);
     }
   }
-  return loads;
+  return to_nodes;
 }
 
 /// Adds mass (3.30), momentum (3.31) and internal force (3.32) of a group of points of a cell.
@@ -49,13 +50,14 @@ template <bool averaged, class NodalSums, class Material>
 inline void add_points(const Material& material, const MaterialPoints& points,
                        const PointGroup& group, const Cell& cell, double mean_stress,
                        NodalSums& sums) {
-  const PointLoads loads = loads_of<averaged>(material, points, group, cell, mean_stress);
-  for (int p = 0; p < group.count(); ++p) sums.template add<Material::has_stress>(loads, p);
+  const PointContributions to_nodes =
+      contributions_of<averaged>(material, points, group, cell, mean_stress);
+  for (int p = 0; p < group.count(); ++p) sums.template add<Material::has_stress>(to_nodes, p);
 }
 
-/// Scatters the points of one cell to its nodes. With `averaged` the points of the cell push with
-/// their mean spherical stress: what goes with their mean volumetric strain rate, see Body, so that
-/// the work of the forces is the work of the stresses.
+/// Scatters the points of one cell to its nodes. With `averaged` the points act with their mean
+/// spherical stress. This is conjugate to their mean volumetric strain rate (see Body): the forces
+/// do the same work as the stresses.
 template <class Shape, bool averaged, class Material>
 ZONA_FLATTEN inline void scatter_cell(const Material& material, const MaterialPoints& points,
                                       const Cell& cell, const int* begin, const int* end,
@@ -73,12 +75,13 @@ ZONA_FLATTEN inline void scatter_cell(const Material& material, const MaterialPo
   sums.add_to_nodes(cell, material.wave_speed(), material.shear_wave_speed(), grid);
 }
 
-/// The same for a batch of points of cells with few, without averages.
+/// Does the same for a batch of points from sparsely filled cells, without averages.
 template <class Material>
 ZONA_FLATTEN inline void scatter_batch(const Material& material, const MaterialPoints& points,
                                        const Batch& batch, BackgroundGrid& grid) {
-  const PointLoads loads = loads_of<false>(material, points, batch.group, batch, 0);
-  trilinear::add_to_nodes<Material::has_stress>(batch, loads, material.wave_speed(),
+  const PointContributions to_nodes =
+      contributions_of<false>(material, points, batch.group, batch, 0);
+  trilinear::add_to_nodes<Material::has_stress>(batch, to_nodes, material.wave_speed(),
                                                 material.shear_wave_speed(), grid);
 }
 

@@ -12,9 +12,9 @@ namespace zona::mpm {
 
 namespace {
 
-/// Steps between two re-orderings of the storage; points cross a cell in thousands of steps.
-constexpr long reorder_interval = 200;
-/// Steps before, in which the time of each brick is taken, to share the bricks out by it.
+/// Steps between two sorts of the storage; points cross a cell in thousands of steps.
+constexpr long sort_interval = 200;
+/// Steps before each sort in which the time of each brick is measured, to redistribute the bricks.
 constexpr long timed_steps = 10;
 
 std::vector<std::vector<int>> nodes_held(const Model& model) {
@@ -44,25 +44,27 @@ Solver::Solver(Model model, double step, int threads)
   if (const double pic = model_.numerics.pic; !(pic >= 0 && pic <= 1))
     throw ModelError(fmt::format("the fraction of PIC must lie in [0, 1], got {}", pic));
   if (threads < 1) throw ModelError(fmt::format("at least one thread is needed, got {}", threads));
-  for (auto& body : model_.bodies) {
-    if (body.average_volume_strain && !body.can_average()) {
-      throw ModelError(
-          fmt::format("body '{}' has no volumetric strain that could be averaged", body.name));
-    }
-    const int outside = body.cells.build(model_.grid, body.points.position);
-    if (outside >= 0) fail_at(body, outside, "a point lies outside the grid");
-    body.reorder_as_walked();
-    if (auto* rigid = std::get_if<Prescribed>(&body.material)) {
-      const RigidState start = rigid->state(0);
-      for (int axis = 0; axis < 3; ++axis) {
-        std::fill(body.points.velocity[axis].begin(), body.points.velocity[axis].end(),
-                  start.velocity[axis]);
-      }
-      rigid->brick_impulse.resize(model_.grid.bricks().size());
-    }
-  }
+  for (auto& body : model_.bodies) prepare(body);
   schedule_.share(estimated_costs());
   scatter();
+}
+
+void Solver::prepare(Body& body) {
+  if (body.average_volume_strain && !body.can_average()) {
+    throw ModelError(
+        fmt::format("body '{}' has no volumetric strain that could be averaged", body.name));
+  }
+  const int outside = body.cells.build(model_.grid, body.points.position);
+  if (outside >= 0) fail_at(body, outside, "a point lies outside the grid");
+  body.sort_points();
+  if (auto* rigid = std::get_if<Prescribed>(&body.material)) {
+    const RigidState start = rigid->state(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      std::fill(body.points.velocity[axis].begin(), body.points.velocity[axis].end(),
+                start.velocity[axis]);
+    }
+    rigid->brick_impulse.resize(model_.grid.bricks().size());
+  }
 }
 
 void Solver::step() {
@@ -76,7 +78,7 @@ void Solver::step() {
   clock.mark(Stage::gather);
   finish_nodes();  // (3.39)
   clock.mark(Stage::finish);
-  update_what_cannot_wait();
+  update_unfused();
   clock.mark(Stage::update);
   update_membranes();
   clock.mark(Stage::surface);
@@ -85,9 +87,9 @@ void Solver::step() {
   update_and_scatter();  // (3.40)-(3.42), then (3.30)-(3.32) of the next step
   clock.mark(Stage::scatter);
   ++steps_;
-  if (steps_ % reorder_interval == reorder_interval - timed_steps) schedule_.start_timing();
-  if (steps_ % reorder_interval == 0) {
-    store_as_walked();
+  if (steps_ % sort_interval == sort_interval - timed_steps) schedule_.start_timing();
+  if (steps_ % sort_interval == 0) {
+    sort_points();
     if (schedule_.is_timing()) schedule_.share(schedule_.stop_timing());
   }
   clock.mark(Stage::reorder);
@@ -110,7 +112,7 @@ void Solver::visit_state(StateVisitor& visitor) {
 }
 
 std::vector<double> Solver::estimated_costs() const {
-  // What a cell costs beyond its points, in points: its nodes are read and written in every stage.
+  // Cost of a cell's nodes, which every stage reads and writes, in units of the cost of a point.
   constexpr double cost_of_cell = 2;
   std::vector<double> cost(model_.grid.bricks().size(), 1.0);
   for (std::size_t b = 0; b < cost.size(); ++b) {
@@ -223,11 +225,11 @@ void Solver::finish_nodes() {
   }
 }
 
-void Solver::update_what_cannot_wait() {
+void Solver::update_unfused() {
   schedule_.in_any_order([this](int b) {
     for (auto& body : model_.bodies) {
       if (!body.cells.brick(b).empty())
-        note_bad_points(body, update_brick(body, b, dt_, model_.grid));
+        record_invalid_points(body, update_brick(body, b, dt_, model_.grid));
     }
   });
 }
@@ -253,33 +255,33 @@ void Solver::update_and_scatter() {
   schedule_.in_order([this](int b) {
     for (auto& body : model_.bodies) {
       if (!body.cells.brick(b).empty())
-        note_bad_points(body, update_and_scatter_brick(body, b, dt_, model_.grid));
+        record_invalid_points(body, update_and_scatter_brick(body, b, dt_, model_.grid));
     }
   });
-  refuse_bad_points();
+  throw_if_invalid_points();
 }
 
-void Solver::note_bad_points(const Body& body, const std::vector<int>& points) {
+void Solver::record_invalid_points(const Body& body, const std::vector<int>& points) {
   if (points.empty()) return;
   const int number = static_cast<int>(&body - model_.bodies.data());
-#pragma omp critical(zona_bad_points)
-  for (int p : points) bad_points_.push_back({number, body.points.id[p]});
+#pragma omp critical(zona_invalid_points)
+  for (int p : points) invalid_points_.push_back({number, body.points.id[p]});
 }
 
-void Solver::refuse_bad_points() {
-  if (bad_points_.empty()) return;
+void Solver::throw_if_invalid_points() {
+  if (invalid_points_.empty()) return;
   const auto first = *std::min_element(
-      bad_points_.begin(), bad_points_.end(),
+      invalid_points_.begin(), invalid_points_.end(),
       [](auto& a, auto& b) { return std::pair(a.body, a.id) < std::pair(b.body, b.id); });
   const Body& body = model_.bodies[first.body];
   fail_at(body, body.points.storage_by_id()[first.id],
           "a point was compressed or expanded beyond what a step can describe");
 }
 
-void Solver::store_as_walked() {
+void Solver::sort_points() {
   const int bodies = static_cast<int>(model_.bodies.size());
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 1)
-  for (int b = 0; b < bodies; ++b) model_.bodies[b].reorder_as_walked();
+  for (int b = 0; b < bodies; ++b) model_.bodies[b].sort_points();
 }
 
 long Solver::point_count() const {

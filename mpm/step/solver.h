@@ -10,60 +10,60 @@
 #include "mpm/step/critical_step.h"
 #include "mpm/step/stage_clock.h"
 
-/// Libraries to simulate piezo-ICSI: a beam, a material point method, and what joins them. SI units
+/// Libraries to simulate piezo-ICSI: a beam, a material point method, and their coupling. SI units
 /// throughout. Equation, figure and table numbers are those of the dissertation, "the source".
 namespace zona {}
 
 /// The material point method: grids, bodies of points, materials, membranes, loads, the step, and
-/// files. Knows nothing of beams, deal.II or oocytes.
+/// files. Independent of beams, deal.II and oocytes.
 namespace zona::mpm {
 
-/// Choices of the scheme; as in the source unless set.
+/// Options of the scheme; the defaults are those of the source.
 struct Numerics {
   double pic = 0;      ///< fraction of PIC in the points' velocity; 0 is (3.37), FLIP
   double damping = 0;  ///< local non-viscous damping of the nodal forces, 0 to 1
 };
 
-/// Everything a simulation starts from.
+/// Initial state and conditions of a simulation.
 struct Model {
-  BackgroundGrid grid;                                ///< where momentum is balanced
+  BackgroundGrid grid;                                ///< on which momentum is balanced
   std::vector<Body> bodies;                           ///< all share the grid
   FaceConditions faces{};                             ///< all free
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< [m/s^2]
   std::vector<BodyForce> forces{};                    ///< on points of bodies
   std::vector<SurfacePressure> pressures{};           ///< on membranes
-  std::vector<HeldNodes> held{};                      ///< nodes that move as prescribed
-  Numerics numerics{};                                ///< choices of the scheme
+  std::vector<HeldNodes> held{};                      ///< nodes with prescribed motion
+  Numerics numerics{};                                ///< options of the scheme
 };
 
 /// Explicit material point method, MUSL variant, the algorithm of section 3.2. Between steps the
-/// nodes hold what the points have scattered, (3.30)-(3.32).
+/// nodes hold the sums scattered by the points, (3.30)-(3.32).
 ///
 /// Results are the same to the last bit for any number of threads: bricks of one colour share no
-/// node, and every sum over points or bricks is taken in one order.
+/// node, and every sum over points or bricks has a fixed order.
 class Solver {
  public:
-  /// `step` in seconds; refused when it is above the critical step. Throws ModelError, and
-  /// PointError for points outside the grid.
+  /// `step` [s] must not exceed the critical step. Throws ModelError, and PointError for points
+  /// outside the grid.
   Solver(Model model, double step, int threads = 1);
 
-  /// One step, (3.30)-(3.42). Throws PointError when a point leaves the grid or its state lost its
-  /// meaning; the solver cannot go on then.
+  /// Takes one step, (3.30)-(3.42). Throws PointError if a point leaves the grid or its state
+  /// becomes invalid; the solver cannot continue then.
   void step();
 
-  /// Everything between two steps that the model does not tell. A solver of the same model and
-  /// step, restored, goes on to the same bits with any number of threads.
+  /// Visits all state between two steps that the model does not contain. A restored solver of the
+  /// same model and step continues to the same bits, with any number of threads.
   void visit_state(StateVisitor& visitor);
 
-  double time() const { return steps_ * dt_; }                ///< since the start [s]
-  double step_size() const { return dt_; }                    ///< [s]
-  long steps() const { return steps_; }                       ///< taken so far
-  int threads() const { return threads_; }                    ///< that compute
-  long point_count() const;                                   ///< of all bodies
-  const BackgroundGrid& grid() const { return model_.grid; }  ///< between steps: what was scattered
+  double time() const { return steps_ * dt_; }                       ///< since the start [s]
+  double step_size() const { return dt_; }                           ///< [s]
+  long steps() const { return steps_; }                              ///< number of steps taken
+  int threads() const { return threads_; }                           ///< number of threads
+  long point_count() const;                                          ///< of all bodies
+  const BackgroundGrid& grid() const { return model_.grid; }         ///< with the scattered sums
   const std::vector<Body>& bodies() const { return model_.bodies; }  ///< in the order of the model
   const FaceConditions& faces() const { return model_.faces; }       ///< of the grid
-  /// The body of that name. Throws ModelError if there is none.
+  /// The body with this name. Throws ModelError if there is none.
   const Body& body(const std::string& name) const;
   /// Held nodes in the order of the model, with the reactions of the last step.
   const std::vector<HeldNodes>& held() const { return model_.held; }
@@ -71,39 +71,40 @@ class Solver {
   const StageSeconds& stage_seconds() const { return stage_seconds_; }
 
  private:
+  void prepare(Body& body);
   void prescribe_motion();
   void add_loads();
   void advance_momentum();
   void gather_and_map_back();
   void finish_nodes();
-  void update_what_cannot_wait();
+  void update_unfused();
   void update_membranes();
   void index_moved_points();
   void update_and_scatter();
   void scatter();
-  void store_as_walked();
-  /// Of each brick, in points.
+  void sort_points();
+  /// Estimated cost of each brick, in points.
   std::vector<double> estimated_costs() const;
 
-  void note_bad_points(const Body& body, const std::vector<int>& points);
-  void refuse_bad_points();
+  void record_invalid_points(const Body& body, const std::vector<int>& points);
+  void throw_if_invalid_points();
   [[noreturn]] void fail_at(const Body& body, int point, const std::string& what) const;
 
   Model model_;
   Loads loads_;
-  std::vector<std::vector<int>> held_nodes_;  ///< of each entry of Model::held
+  std::vector<std::vector<int>> held_nodes_;  ///< per entry of Model::held
   LocalDamping damping_;
   double dt_;
   int threads_;
   BrickSchedule schedule_;
   std::int64_t steps_ = 0;
   StageSeconds stage_seconds_{};
-  std::vector<std::vector<int>> driven_nodes_;  ///< per body, of those that drive nodes
-  struct BadPoint {
+  std::vector<std::vector<int>> driven_nodes_;  ///< per body; empty without Drive::nodes
+  struct InvalidPoint {
     int body;
     int id;
   };
-  std::vector<BadPoint> bad_points_;
+  std::vector<InvalidPoint> invalid_points_;
 };
 
 }  // namespace zona::mpm

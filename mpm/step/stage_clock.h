@@ -5,34 +5,34 @@
 
 namespace zona::mpm {
 
-/// Parts of a step whose time is taken.
+/// Stages of a step whose time is measured.
 enum class Stage {
-  loads,    ///< loads on points, and absorbing faces
-  advance,  ///< momentum of the nodes (3.33)
-  gather,   ///< velocities and places of points, momentum mapped back (3.34)-(3.38)
+  loads,    ///< loads on points
+  advance,  ///< absorbing faces; momentum of the nodes (3.33)
+  gather,   ///< velocities and positions of points, momentum mapped back (3.34)-(3.38)
   finish,   ///< velocities of the nodes (3.39)
-  update,   ///< strains and stresses that cannot wait for `scatter`
+  update,   ///< strains and stresses that are not fused with `scatter`
   surface,  ///< stresses and failures of membranes
   index,    ///< points that changed cells
   scatter,  ///< strains and stresses of the other points; sums at the nodes (3.30)-(3.32)
-  reorder   ///< storage in the order of the walk
+  reorder   ///< sort of the storage
 };
-/// How many stages there are.
+/// Number of stages.
 inline constexpr int stage_count = 9;
-/// Their names, in the order of Stage.
+/// Names, in the order of Stage.
 inline constexpr std::array<const char*, stage_count> stage_names{
     "loads", "advance", "gather", "finish", "update", "surface", "index", "scatter", "reorder"};
 
 /// Seconds spent in each stage.
 using StageSeconds = std::array<double, stage_count>;
 
-/// Adds the time between its marks to the stage that each mark ends.
+/// Adds the time between two marks to the stage that the second one ends.
 class StageClock {
  public:
-  /// Starts now. Keeps a reference.
+  /// Starts now. Keeps a reference to `seconds`.
   explicit StageClock(StageSeconds& seconds) : seconds_(seconds), last_(Clock::now()) {}
 
-  /// `stage` ends here.
+  /// Ends `stage`.
   void mark(Stage stage) {
     const auto now = Clock::now();
     seconds_[static_cast<int>(stage)] += std::chrono::duration<double>(now - last_).count();

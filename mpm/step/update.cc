@@ -11,26 +11,26 @@ namespace {
 
 template <class Shape, bool averaged, class Material>
 void update_cells(Material& material, Body& body, int b, double dt, const BackgroundGrid& grid,
-                  std::vector<int>& bad) {
+                  std::vector<int>& invalid) {
   for_each_cell(
       grid, b, body.cells.brick(b), [&](const Cell& cell, const int* begin, const int* end, int) {
-        update_cell<Shape, averaged>(material, body.points, cell, begin, end, dt, grid, bad);
+        update_cell<Shape, averaged>(material, body.points, cell, begin, end, dt, grid, invalid);
       });
 }
 
 template <class Shape, class Material>
 void update_departing(Material& material, Body& body, int b, double dt, const BackgroundGrid& grid,
-                      std::vector<int>& bad) {
+                      std::vector<int>& invalid) {
   for (const auto& [point, c] : body.cells.brick(b).departures) {
     const Cell cell = make_cell(grid, grid.bricks()[b], c);
-    update_cell<Shape, false>(material, body.points, cell, &point, &point + 1, dt, grid, bad);
+    update_cell<Shape, false>(material, body.points, cell, &point, &point + 1, dt, grid, invalid);
   }
 }
 
-/// The points that are still in the cell where they were.
+/// Updates the points that have not changed cells.
 template <class Shape, class Material>
 void update_settled(Material& material, Body& body, int b, double dt, const BackgroundGrid& grid,
-                    std::vector<int>& bad) {
+                    std::vector<int>& invalid) {
   const BrickPoints& brick = body.cells.brick(b);
   const auto& arrivals = brick.arrivals;
   std::vector<int> settled;
@@ -40,32 +40,32 @@ void update_settled(Material& material, Body& body, int b, double dt, const Back
       return std::binary_search(arrivals.begin(), arrivals.end(), p);
     });
     update_cell<Shape, false>(material, body.points, cell, settled.data(),
-                              settled.data() + settled.size(), dt, grid, bad);
+                              settled.data() + settled.size(), dt, grid, invalid);
   });
 }
 
 template <class Shape, class Material>
 void update_and_scatter_cells(Material& material, Body& body, int b, double dt,
-                              BackgroundGrid& grid, std::vector<int>& bad) {
+                              BackgroundGrid& grid, std::vector<int>& invalid) {
   const BrickPoints& brick = body.cells.brick(b);
   if (!brick.arrivals.empty()) {
-    update_settled<Shape>(material, body, b, dt, grid, bad);
+    update_settled<Shape>(material, body, b, dt, grid, invalid);
     return scatter_brick(body, b, grid);
   }
   for_each_cell_or_batch(
       grid, b, brick, Shape::few_points,
       [&](const Cell& cell, const int* begin, const int* end, int) {
-        update_and_scatter_cell<Shape>(material, body.points, cell, begin, end, dt, grid, bad);
+        update_and_scatter_cell<Shape>(material, body.points, cell, begin, end, dt, grid, invalid);
       },
       [&](const Batch& batch) {
-        update_and_scatter_batch(material, body.points, batch, dt, grid, bad);
+        update_and_scatter_batch(material, body.points, batch, dt, grid, invalid);
       });
 }
 
 }  // namespace
 
 std::vector<int> update_brick(Body& body, int b, double dt, const BackgroundGrid& grid) {
-  std::vector<int> bad;
+  std::vector<int> invalid;
   with_shape_functions(grid, [&](auto shape) {
     using Shape = decltype(shape);
     std::visit(
@@ -73,19 +73,19 @@ std::vector<int> update_brick(Body& body, int b, double dt, const BackgroundGrid
           using Material = std::decay_t<decltype(material)>;
           if constexpr (can_average_volume<Material>) {
             if (body.average_volume_strain)
-              return update_cells<Shape, true>(material, body, b, dt, grid, bad);
-            update_departing<Shape>(material, body, b, dt, grid, bad);
+              return update_cells<Shape, true>(material, body, b, dt, grid, invalid);
+            update_departing<Shape>(material, body, b, dt, grid, invalid);
           } else if constexpr (Material::has_stress) {
-            update_cells<Shape, false>(material, body, b, dt, grid, bad);
+            update_cells<Shape, false>(material, body, b, dt, grid, invalid);
           }
         },
         body.material);
   });
-  return bad;
+  return invalid;
 }
 
 std::vector<int> update_and_scatter_brick(Body& body, int b, double dt, BackgroundGrid& grid) {
-  std::vector<int> bad;
+  std::vector<int> invalid;
   with_shape_functions(grid, [&](auto shape) {
     using Shape = decltype(shape);
     std::visit(
@@ -93,13 +93,13 @@ std::vector<int> update_and_scatter_brick(Body& body, int b, double dt, Backgrou
           using Material = std::decay_t<decltype(material)>;
           if constexpr (can_average_volume<Material>) {
             if (!body.average_volume_strain)
-              return update_and_scatter_cells<Shape>(material, body, b, dt, grid, bad);
+              return update_and_scatter_cells<Shape>(material, body, b, dt, grid, invalid);
           }
           scatter_brick(body, b, grid);
         },
         body.material);
   });
-  return bad;
+  return invalid;
 }
 
 }  // namespace zona::mpm

@@ -5,7 +5,7 @@
 
 namespace zona::mpm {
 
-/// Mean divergence [1/s] over the points of a cell, by volume.
+/// Volume-weighted mean divergence [1/s] over the points of a cell.
 template <class Material, class CellGradient>
 inline double mean_divergence(const Material& material, const MaterialPoints& points,
                               const Cell& cell, const CellGradient& gradient, const int* begin,
@@ -15,24 +15,24 @@ inline double mean_divergence(const Material& material, const MaterialPoints& po
   });
 }
 
-/// Strains a group of points (3.40)-(3.42). Adds to `bad` those whose state lost its meaning.
+/// Updates a group of points (3.40)-(3.42). Adds points with an invalid state to `invalid`.
 template <class Material>
 inline void update_points(Material& material, const PointGroup& group,
                           const VelocityGradient& gradient, double dt, double length,
-                          std::vector<int>& bad) {
+                          std::vector<int>& invalid) {
   const LaneMask failed = material.update(group, gradient, dt, length);
   if (!any(failed, group.count())) return;
   for (int lane = 0; lane < group.count(); ++lane) {
-    if (failed[lane]) bad.push_back(group[lane]);
+    if (failed[lane]) invalid.push_back(group[lane]);
   }
 }
 
-/// Strains the points of one cell where they were, with their mean volumetric strain rate if
-/// `averaged`.
+/// Updates the points of one cell with the gradients at their last positions, and with their mean
+/// volumetric strain rate if `averaged`.
 template <class Shape, bool averaged, class Material>
 ZONA_FLATTEN inline void update_cell(Material& material, const MaterialPoints& points,
                                      const Cell& cell, const int* begin, const int* end, double dt,
-                                     const BackgroundGrid& grid, std::vector<int>& bad) {
+                                     const BackgroundGrid& grid, std::vector<int>& invalid) {
   const double length = grid.characteristic_length();
   const typename Shape::CellGradient gradient(grid, cell);
   double mean = 0;
@@ -40,36 +40,36 @@ ZONA_FLATTEN inline void update_cell(Material& material, const MaterialPoints& p
   for_each_group(begin, end, [&](const PointGroup& group) {
     VelocityGradient l = gradient.at(cell.natural(group.load(points.last_position)));
     if constexpr (averaged) l = with_divergence(l, mean);
-    update_points(material, group, l, dt, length, bad);
+    update_points(material, group, l, dt, length, invalid);
   });
 }
 
-/// update_cell and then scatter_cell where the points are now, each point loaded once. No point may
-/// have entered or left the cell.
+/// Does update_cell and then scatter_cell at the new positions, loading each point once. No point
+/// may have entered or left the cell.
 template <class Shape, class Material>
 ZONA_FLATTEN inline void update_and_scatter_cell(Material& material, const MaterialPoints& points,
                                                  const Cell& cell, const int* begin, const int* end,
                                                  double dt, BackgroundGrid& grid,
-                                                 std::vector<int>& bad) {
+                                                 std::vector<int>& invalid) {
   const double length = grid.characteristic_length();
   const typename Shape::CellGradient gradient(grid, cell);
   typename Shape::NodalSums sums(grid, cell);
   for_each_group(begin, end, [&](const PointGroup& group) {
     const VelocityGradient l = gradient.at(cell.natural(group.load(points.last_position)));
-    update_points(material, group, l, dt, length, bad);
+    update_points(material, group, l, dt, length, invalid);
     add_points<false>(material, points, group, cell, 0, sums);
   });
   sums.add_to_nodes(cell, material.wave_speed(), material.shear_wave_speed(), grid);
 }
 
-/// The same for a batch of points of cells with few.
+/// Does the same for a batch of points from sparsely filled cells.
 template <class Material>
 ZONA_FLATTEN inline void update_and_scatter_batch(Material& material, const MaterialPoints& points,
                                                   const Batch& batch, double dt,
-                                                  BackgroundGrid& grid, std::vector<int>& bad) {
+                                                  BackgroundGrid& grid, std::vector<int>& invalid) {
   const auto natural = batch.natural(batch.group.load(points.last_position));
   update_points(material, batch.group, trilinear::gradient_at(grid, batch, natural), dt,
-                grid.characteristic_length(), bad);
+                grid.characteristic_length(), invalid);
   scatter_batch(material, points, batch, grid);
 }
 

@@ -65,7 +65,7 @@ PiercingSetup bundled(const std::string& name, const std::vector<std::string>& c
 mpm::Model membrane() {
   mpm::Model model = box_model(32);
   const Vector3d center = 0.5 * model.grid.upper_corner();
-  const auto sphere = mpm::in_walking_order(mpm::icosphere(center, 50e-6, 6), model.grid);
+  const auto sphere = mpm::in_traversal_order(mpm::icosphere(center, 50e-6, 6), model.grid);
   const PiercingSetup::Zona zona = bundled("piercing_lateral.toml").zona;
   const double mass =
       4 * M_PI * 2.5e-9 * zona.membrane.thickness * zona.membrane.density / sphere.places.size();

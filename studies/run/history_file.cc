@@ -31,7 +31,7 @@ void HistoryFile::visit_state(mpm::StateVisitor& visitor) {
   const std::int64_t present = size;
   visitor.visit("files/" + file_.filename().string(), size);
   if (!stream_ || failure) throw RunError(file_.string() + " cannot be written; is the disk full?");
-  if (!visitor.is_restoring()) return mpm::bring_to_disk(file_.string());
+  if (!visitor.is_restoring()) return mpm::sync_to_disk(file_.string());
   if (present < size) {
     throw RunError(
         fmt::format("{} has lost rows: it has {} bytes, but had {} when the checkpoint "

@@ -42,7 +42,7 @@ inline double greatest_difference(const std::vector<double>& a, const std::vecto
   return greatest;
 }
 
-/// Relative error of viscous loads that are interpolated between radii, where none is a node.
+/// Greatest relative error of viscous loads interpolated between radii.
 inline double interpolation_error(const std::vector<ViscousLoad>& loads) {
   double greatest = 0;
   for (double radius = loads.front().radius; radius < loads.back().radius; radius *= 1.1)
@@ -61,9 +61,9 @@ inline double interpolation_error(const std::vector<ViscousLoad>& loads) {
   return greatest;
 }
 
-/// Greatest difference that two solutions for the tip can have when the frequency of every mode
-/// differs by the given relative amount: after a kink each mode rings with amplitude share * jump /
-/// omega, and two sines drift apart by their phase, at most by 2. `relative_error` takes omega and
+/// Bound on the difference of two solutions for the tip whose modes differ in frequency by a
+/// relative amount: after a kink each mode rings with the amplitude share * jump / omega, and the
+/// difference of two sines is their phase error, at most 2. `relative_error` takes omega and
 /// alpha_n L.
 template <class RelativeError>
 double phase_error_bound(const ExactCantilever& exact, const SupportMotion& motion, double end,

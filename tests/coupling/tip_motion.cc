@@ -143,7 +143,7 @@ TEST_CASE("a window starts at rest where the pipette stands and ends as told", "
   CHECK(motion.initial_speed() == Approx(3 * wave_slope(1.5)).epsilon(1e-5));
   CHECK(motion(0.5).displacement.z() == Approx(-3 * (wave(2) - wave(1.5))).epsilon(1e-5));
   CHECK(motion(0.5 * (1 + 1e-10)).displacement == motion(0.5).displacement);  // rounded time
-  CHECK_THROWS_WITH(motion(0.501), Contains("asked at 0.501 s") && Contains("0.5 s long"));
+  CHECK_THROWS_WITH(motion(0.501), Contains("evaluated at 0.501 s") && Contains("0.5 s long"));
   CHECK_THROWS_AS(motion(-1e-3), std::out_of_range);
   CHECK_THROWS_AS(motion(std::nan("")), std::out_of_range);
 

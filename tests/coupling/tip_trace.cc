@@ -126,7 +126,7 @@ TEST_CASE("a malformed CSV trace is refused with file, line and column", "[trace
       {head + "0,0\n1,1e999\n2,2\n", "t.csv:3:3: '1e999' is out of range"},
       {head + "0,0\n1\n2,2\n", "t.csv:3:1: 1 values under 2 headings"},
       {head + "0,0\n1,1,1\n2,2\n", "t.csv:3:5: 3 values under 2 headings"},
-      {head + "0,0\n1,1\n1,2\n", "t.csv:4:1: time 1 s is not after the time before it, 1 s"},
+      {head + "0,0\n1,1\n1,2\n", "t.csv:4:1: time 1 s is not after the previous time, 1 s"},
       {head + "0,0\n\n#\n1,1\n0.5,2\n", "t.csv:6:1: time 0.5 s is not after"},
       {"0,0\n1,1\n2,2\n", "t.csv:1:1: unknown heading '0'"},
       {"time [s],displacment [m]\n0,0\n", "t.csv:1:10: unknown heading 'displacment'; known are"},

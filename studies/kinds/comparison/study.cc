@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "studies/kinds/piercing/run.h"
-#include "studies/kinds/piercing/study.h"
 #include "studies/kinds/piercing/scheme_tables.h"
+#include "studies/kinds/piercing/study.h"
 #include "studies/parameters/fill_table.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/parallel.h"

@@ -59,7 +59,7 @@ std::array<int, 3> per_axis(int points_per_cell) {
 mpm::Body zona_body(const PiercingSetup& setup, const PiercingGeometry& geometry,
                     const mpm::BackgroundGrid& grid) {
   const auto& zona = setup.zona;
-  const auto sphere = mpm::in_walking_order(
+  const auto sphere = mpm::in_traversal_order(
       mpm::icosphere(geometry.egg_center, geometry.egg_radius, zona.level), grid);
   // s rho^m / N^P for each point (4.1).
   const double area = 4 * M_PI * geometry.egg_radius * geometry.egg_radius;

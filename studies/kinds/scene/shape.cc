@@ -98,7 +98,7 @@ mpm::Lattice volume_points(const BodyShape& body, const mpm::BackgroundGrid& gri
 }
 
 WeightedSurface surface_points(const BodyShape& body, const mpm::BackgroundGrid& grid) {
-  WeightedSurface result{mpm::in_walking_order(make_surface(body, grid), grid), {}};
+  WeightedSurface result{mpm::in_traversal_order(make_surface(body, grid), grid), {}};
   const auto& places = result.surface.places;
   result.areas.assign(places.size(), 0.0);
   for (const auto& [a, b, c] : result.surface.triangles) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "beam/frequency/tip_response.h"
 #include "beam/frequency/transfer_function.h"
 #include "beam/system/natural_modes.h"
 #include "beam/time/modal_stepper.h"
@@ -37,22 +37,6 @@ void add_modes(FilledPipette& filled) {
 double end_of_pulse(const beam::SupportMotion& motion) {
   const auto* pieces = std::get_if<beam::SampledMotion>(&motion);
   return pieces == nullptr ? 0 : pieces->time.back();
-}
-
-double ring_down(const beam::TipHistory& history, double pulse_end) {
-  const double limit =
-      0.1 * std::abs(history.displacement[beam::index_of_peak(history.displacement)]);
-  std::size_t last = history.time.size();
-  while (last > 0 && std::abs(history.displacement[last - 1]) <= limit) --last;
-  if (last == history.time.size()) return std::numeric_limits<double>::infinity();
-  return std::max(0., history.time[last] - pulse_end);
-}
-
-double residual_amplitude(const beam::TipHistory& history) {
-  double greatest = 0;
-  for (std::size_t i = history.time.size() * 9 / 10; i < history.time.size(); ++i)
-    greatest = std::max(greatest, std::abs(history.displacement[i]));
-  return greatest;
 }
 
 AxialResult axial_result(beam::TipHistory history, double support_peak) {
@@ -134,8 +118,8 @@ VibrationResult compute_case(const VibrationCase& setup, const FilledPipette& pi
   // Without a quadratic drag the tip's motion is proportional to the support's.
   if (!pulse.peak && study.value(&Bath::drag_coefficient) == 0)
     result.gain_uncertainty = pulse.gain_uncertainty;
-  result.ring_down = ring_down(result.history, end_of_pulse(motion));
-  result.residual_amplitude = residual_amplitude(result.history);
+  result.ring_down = beam::ring_down(result.history, end_of_pulse(motion));
+  result.residual_amplitude = beam::residual_amplitude(result.history);
   result.warnings = bath_warnings(study, result.history);
   if (pipette.rod)
     result.axial =

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "beam/frequency/tip_response.h"
 #include "beam/frequency/transfer_function.h"
 #include "beam/frequency/transfer_sensitivity.h"
 #include "studies/kinds/vibration/pulses_table.h"
@@ -23,18 +24,19 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of an input, relative. Its fourth power is the error of what is not a polynomial in the input.
-constexpr double kStep = 2.5e-4;
-constexpr std::array<double, 4> kPlaces{-2, -1, 1, 2};
-constexpr std::array<double, 4> kStencil{1. / 12, -8. / 12, 8. / 12, -1. / 12};
+/// Step of an input, relative to its value. Functions that are not polynomials of an input err by
+/// its fourth power.
+constexpr double relative_step = 2.5e-4;
 
-/// An input, and the study and case that result when it is multiplied by a factor.
+/// An input of a study, and the study and case with the input multiplied by a factor.
 struct Input {
   std::string key;
   std::string unit;
   double value;
-  bool moves_support;  ///< whether it belongs to the pulse
+  bool moves_support;  ///< true for inputs of the pulse
   std::function<std::pair<Configuration, VibrationCase>(double factor)> times;
+
+  double step() const { return relative_step * value; }
 };
 
 Configuration scaled(const Configuration& study, const std::string& key, double factor) {
@@ -45,14 +47,36 @@ Configuration scaled(const Configuration& study, const std::string& key, double 
   return moved;
 }
 
-/// Quantities and numbers that stand alone in the tables that describe pipette and pulse.
+/// Adds the inputs that a case takes from its own fluid and pulse instead of the study.
+void add_case_inputs(const Configuration& study, const VibrationCase& setup,
+                     std::vector<Input>& inputs) {
+  const auto add = [&](const std::string& key, const char* unit, bool moves_support,
+                       double& (*member)(VibrationCase&)) {
+    VibrationCase own = setup;
+    if (member(own) == 0) return;
+    inputs.push_back(
+        {key, unit, member(own), moves_support, [&study, setup, member](double factor) {
+           VibrationCase moved = setup;
+           member(moved) *= factor;
+           return std::pair(study, moved);
+         }});
+  };
+  add(study.key(&Fills::fluids), "kg/m^3", false,
+      [](VibrationCase& c) -> double& { return c.fluid.density; });
+  add(study.key(&FillPlace::viscosity), "Pa s", false,
+      [](VibrationCase& c) -> double& { return c.fluid.viscosity; });
+  add(study.key(&Pulses::durations), "s", true,
+      [](VibrationCase& c) -> double& { return c.pulse_duration; });
+}
+
+/// All single quantities and numbers that describe pipette, liquids and pulse.
 std::vector<Input> inputs_of(const Configuration& study, const VibrationCase& setup) {
   std::vector<Input> inputs;
   const bool moves_along = study.read<Pulse>().direction().along != 0;
   const std::string pulse = study.schema().binding<Pulse>().section;
   const auto add = [&](const std::string& key) {
-    // At a right angle there is no motion along the pipette for the angle to trade with; the
-    // fluid's viscosity is the case's.
+    // The case has its own viscosity. At a right angle nothing moves along the pipette, so the
+    // angle has no effect to first order.
     if (key == study.key(&FillPlace::viscosity)) return;
     if (key == study.key(&Pulse::angle) && !moves_along) return;
     const Parameter& parameter = *study.schema().find(key);
@@ -76,23 +100,7 @@ std::vector<Input> inputs_of(const Configuration& study, const VibrationCase& se
     if (std::find(sections.begin(), sections.end(), section) == sections.end()) continue;
     for (const std::string& key : study.keys_of(table)) add(key);
   }
-  const auto add_own = [&](const std::string& key, const char* unit, bool moves_support,
-                           double& (*member)(VibrationCase&)) {
-    VibrationCase own = setup;
-    if (member(own) == 0) return;
-    inputs.push_back(
-        {key, unit, member(own), moves_support, [&study, setup, member](double factor) {
-           VibrationCase moved = setup;
-           member(moved) *= factor;
-           return std::pair(study, moved);
-         }});
-  };
-  add_own(study.key(&Fills::fluids), "kg/m^3", false,
-          [](VibrationCase& c) -> double& { return c.fluid.density; });
-  add_own(study.key(&FillPlace::viscosity), "Pa s", false,
-          [](VibrationCase& c) -> double& { return c.fluid.viscosity; });
-  add_own(study.key(&Pulses::durations), "s", true,
-          [](VibrationCase& c) -> double& { return c.pulse_duration; });
+  add_case_inputs(study, setup, inputs);
   return inputs;
 }
 
@@ -104,7 +112,7 @@ beam::BeamSystem beam_of(const Configuration& study, const VibrationCase& setup,
                                                              : beam::cantilever(pipette);
 }
 
-/// The support's motion in a direction.
+/// Motion of the support in a direction.
 beam::SupportMotion motion_of(const Configuration& study, const VibrationCase& setup,
                               Direction direction) {
   const beam::SupportMotion motion = support_motion(study, setup.pulse_duration);
@@ -113,162 +121,85 @@ beam::SupportMotion motion_of(const Configuration& study, const VibrationCase& s
   return part == 1 ? motion : beam::scaled(motion, part);
 }
 
-/// The beam with an input moved; nothing where it has another mesh then.
+/// The beam with an input moved; absent if its structure changes with the input.
 std::optional<beam::ParameterStencil> stencil_of(const Input& input, Direction direction,
                                                  const beam::BeamSystem& system) {
   beam::ParameterStencil stencil;
-  stencil.step = kStep * input.value;
-  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-    const auto [study, setup] = input.times(1 + kPlaces[i] * kStep);
+  stencil.step = input.step();
+  for (std::size_t i = 0; i < stencil.moved.size(); ++i) {
+    const auto [study, setup] = input.times(1 + beam::stencil_places[i] * relative_step);
     stencil.moved[i] = beam_of(study, setup, direction);
-    if (stencil.moved[i].size() != system.size() ||
-        stencil.moved[i].liquids.viscous.size() != system.liquids.viscous.size())
-      return std::nullopt;
+    if (!beam::have_same_structure(stencil.moved[i], system)) return std::nullopt;
   }
   return stencil;
 }
 
-bool changes(const beam::ParameterStencil& stencil) {
-  const auto differ = [](const beam::SymmetricBand& a, const beam::SymmetricBand& b) {
-    for (int k = 0; k <= beam::kHalfBandwidth; ++k)
-      if (a.diagonal(k) != b.diagonal(k)) return true;
-    return false;
-  };
-  const beam::BeamSystem& a = stencil.moved.front();
-  const beam::BeamSystem& b = stencil.moved.back();
-  return differ(a.mass, b.mass) || differ(a.stiffness, b.stiffness) || !same_factors(a, b) ||
-         (a.liquids.act() && differ(a.liquids.displaced.matrix, b.liquids.displaced.matrix));
+/// Derivatives of the kinks of the support's motion; empty if their number changes with the input.
+std::vector<beam::KinkDerivative> kinks_of(const Input& input, Direction direction,
+                                           const beam::SupportMotion& motion) {
+  std::array<beam::SupportMotion, 4> moved;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const auto [study, setup] = input.times(1 + beam::stencil_places[i] * relative_step);
+    moved[i] = motion_of(study, setup, direction);
+  }
+  return beam::kink_derivatives(motion, moved, input.step());
 }
 
-/// Derivatives of the kinks' times and jumps, of which the motion's transform is made.
-std::vector<std::pair<beam::Kink, beam::Kink>> moving_kinks(const Input& input, Direction direction,
-                                                            const beam::SupportMotion& motion) {
-  std::vector<std::pair<beam::Kink, beam::Kink>> kinks;
-  for (const beam::Kink& kink : beam::kinks(motion)) kinks.emplace_back(kink, beam::Kink{});
-  for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-    const auto [study, setup] = input.times(1 + kPlaces[i] * kStep);
-    const auto moved = beam::kinks(motion_of(study, setup, direction));
-    if (moved.size() != kinks.size()) return {};
-    const double weight = kStencil[i] / (kStep * input.value);
-    for (std::size_t k = 0; k < kinks.size(); ++k) {
-      kinks[k].second.time += weight * moved[k].time;
-      kinks[k].second.velocity_jump += weight * moved[k].velocity_jump;
+/// The inputs with an effect on the response, and how they change beam and pulse.
+struct ActingInputs {
+  std::vector<Input> of_beam;
+  std::vector<beam::ParameterStencil> stencils;  ///< one per input of the beam
+  std::vector<Input> of_pulse;
+  std::vector<std::vector<beam::KinkDerivative>> kinks;  ///< one row per input of the pulse
+  std::vector<std::string> without;                      ///< keys without a derivative
+};
+
+ActingInputs acting_inputs(const Configuration& study, const VibrationCase& setup,
+                           Direction direction, const beam::BeamSystem& system,
+                           const beam::SupportMotion& motion) {
+  ActingInputs acting;
+  for (const Input& input : inputs_of(study, setup)) {
+    if (input.moves_support) {
+      const auto kinks = kinks_of(input, direction, motion);
+      if (kinks.empty()) acting.without.push_back(input.key);
+      if (!beam::has_effect(kinks, input.value)) continue;
+      acting.kinks.push_back(kinks);
+      acting.of_pulse.push_back(input);
+      continue;
+    }
+    auto stencil = stencil_of(input, direction, system);
+    if (!stencil) {
+      acting.without.push_back(input.key);
+    } else if (beam::has_effect(*stencil)) {
+      acting.stencils.push_back(std::move(*stencil));
+      acting.of_beam.push_back(input);
     }
   }
-  return kinks;
+  return acting;
 }
 
-/// Derivative of sum J exp(-s t) / s^2.
-Complex transform_derivative(const std::vector<std::pair<beam::Kink, beam::Kink>>& kinks,
-                             Complex s) {
-  Complex sum = 0;
-  for (const auto& [kink, rate] : kinks)
-    sum += (rate.velocity_jump - s * rate.time * kink.velocity_jump) * std::exp(-s * kink.time);
-  return sum / (s * s);
+std::vector<Complex> product(const std::vector<Complex>& a, const std::vector<Complex>& b) {
+  std::vector<Complex> values(a);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] *= b[k];
+  return values;
 }
 
-/// A place between samples: index of the sample before and the share of the interval.
-struct Place {
-  std::size_t sample = 0;
-  double share = 0;
-
-  double of(const std::vector<double>& values) const {
-    if (sample + 1 >= values.size()) return values.back();
-    return (1 - share) * values[sample] + share * values[sample + 1];
-  }
-};
-
-/// Where `slope` passes zero next to the greatest magnitude of `values`.
-Place place_of_peak(const std::vector<double>& values, const std::vector<double>& slope) {
-  const std::size_t peak = beam::index_of_peak(values);
-  for (const std::size_t first : {peak == 0 ? peak : peak - 1, peak}) {
-    if (first + 1 >= values.size() || slope[first] * slope[first + 1] > 0) continue;
-    const double span = slope[first] - slope[first + 1];
-    return {first, span == 0 ? 0 : slope[first] / span};
-  }
-  return {peak, 0};
+SensitivityResult result_of(const beam::TipResponse& response) {
+  SensitivityResult result;
+  result.amplitude = response.amplitude();
+  result.peak_velocity = response.peak_velocity();
+  result.ring_down = response.ring_down();
+  return result;
 }
 
-/// A value at a place where its derivative is known at the samples, to third order.
-double hermite(const Place& place, const std::vector<double>& values,
-               const std::vector<double>& slope, double step) {
-  if (place.sample + 1 >= values.size()) return values.back();
-  const double x = place.share;
-  const double a = values[place.sample], b = values[place.sample + 1];
-  const double da = step * slope[place.sample], db = step * slope[place.sample + 1];
-  return a * (1 + 2 * x) * (1 - x) * (1 - x) + da * x * (1 - x) * (1 - x) +
-         b * x * x * (3 - 2 * x) - db * x * x * (1 - x);
+/// Largest effect first, of the same relative change of every input.
+void sort_by_effect(std::vector<InputSensitivity>& inputs) {
+  const auto effect = [](const InputSensitivity& input) {
+    return std::abs(input.amplitude * input.value);
+  };
+  std::sort(inputs.begin(), inputs.end(),
+            [&](const auto& a, const auto& b) { return effect(a) > effect(b); });
 }
-
-/// Last instant at which the magnitude falls through the limit; nothing if it never stays below.
-std::optional<Place> last_crossing(const std::vector<double>& values, double limit) {
-  std::size_t last = values.size();
-  while (last > 0 && std::abs(values[last - 1]) <= limit) --last;
-  if (last == 0 || last == values.size()) return std::nullopt;
-  const double above = std::abs(values[last - 1]), below = std::abs(values[last]);
-  return Place{last - 1, (above - limit) / (above - below)};
-}
-
-/// The response and how it is derived.
-class Response {
- public:
-  Response(std::vector<Complex> transform, const std::vector<Complex>& points,
-           const beam::Sampling& sampling, double pulse_end)
-      : sampling_(sampling), points_(points) {
-    displacement_ = beam::invert_transform(sampling, transform);
-    velocity_ = derivative(transform);
-    for (std::size_t k = 0; k < points.size(); ++k) transform[k] *= points[k];
-    acceleration_ = derivative(transform);
-    farthest_ = place_of_peak(displacement_, velocity_);
-    fastest_ = place_of_peak(velocity_, acceleration_);
-    amplitude_ = hermite(farthest_, displacement_, velocity_, sampling.step);
-    peak_velocity_ = hermite(fastest_, velocity_, acceleration_, sampling.step);
-    still_ = last_crossing(displacement_, 0.1 * std::abs(amplitude_));
-    pulse_end_ = pulse_end;
-  }
-
-  void report(SensitivityResult& result) const {
-    result.amplitude = std::abs(amplitude_);
-    result.peak_velocity = std::abs(peak_velocity_);
-    if (still_)
-      result.ring_down =
-          (static_cast<double>(still_->sample) + still_->share) * sampling_.step - pulse_end_;
-  }
-
-  /// `pulse_end_rate` is how the end of the pulse moves with the input.
-  void derive(std::vector<Complex> transform, double pulse_end_rate,
-              InputSensitivity& input) const {
-    const std::vector<double> displacement = beam::invert_transform(sampling_, transform);
-    const std::vector<double> velocity = derivative(transform);
-    for (std::size_t k = 0; k < transform.size(); ++k) transform[k] *= points_[k];
-    const std::vector<double> acceleration = derivative(transform);
-    // Where the response is greatest its own change in time does not count.
-    input.amplitude = sign(amplitude_) * hermite(farthest_, displacement, velocity, sampling_.step);
-    input.peak_velocity =
-        sign(peak_velocity_) * hermite(fastest_, velocity, acceleration, sampling_.step);
-    if (!still_) return;
-    const double side = sign(still_->of(displacement_));
-    input.ring_down =
-        (0.1 * input.amplitude - side * still_->of(displacement)) / (side * still_->of(velocity_)) -
-        pulse_end_rate;
-  }
-
- private:
-  static double sign(double value) { return value < 0 ? -1 : 1; }
-
-  std::vector<double> derivative(const std::vector<Complex>& transform) const {
-    std::vector<Complex> product(transform);
-    for (std::size_t k = 0; k < product.size(); ++k) product[k] *= points_[k];
-    return beam::invert_transform(sampling_, product);
-  }
-
-  beam::Sampling sampling_;
-  const std::vector<Complex>& points_;
-  std::vector<double> displacement_, velocity_, acceleration_;
-  Place farthest_, fastest_;
-  std::optional<Place> still_;
-  double amplitude_ = 0, peak_velocity_ = 0, pulse_end_ = 0;
-};
 
 }  // namespace
 
@@ -280,65 +211,29 @@ SensitivityResult beam_sensitivities(const Configuration& study, const Vibration
   const beam::SupportMotion motion = motion_of(study, setup, direction);
   const beam::Sampling sampling = study.read<BeamIntegration>().sampling();
   const std::vector<Complex> points = beam::transform_points(sampling);
+  const ActingInputs acting = acting_inputs(study, setup, direction, system, motion);
 
-  SensitivityResult result;
-  std::vector<Input> of_beam, of_pulse;
-  std::vector<beam::ParameterStencil> stencils;
-  std::vector<std::vector<std::pair<beam::Kink, beam::Kink>>> kinks;
-  for (const Input& input : inputs_of(study, setup)) {
-    if (input.moves_support) {
-      const auto moving = moving_kinks(input, direction, motion);
-      const bool acts = std::any_of(moving.begin(), moving.end(), [&](const auto& kink) {
-        const auto& [at, rate] = kink;
-        constexpr double rounding = 1e-9;
-        return std::abs(rate.time * input.value) > rounding * moving.back().first.time ||
-               std::abs(rate.velocity_jump * input.value) > rounding * std::abs(at.velocity_jump);
-      });
-      if (moving.empty()) result.without.push_back(input.key);
-      if (!acts) continue;
-      kinks.push_back(moving);
-      of_pulse.push_back(input);
-      continue;
-    }
-    auto stencil = stencil_of(input, direction, system);
-    if (!stencil) {
-      result.without.push_back(input.key);
-    } else if (changes(*stencil)) {
-      stencils.push_back(std::move(*stencil));
-      of_beam.push_back(input);
-    }
-  }
-
-  const beam::TransferSensitivity transfer = beam::transfer_sensitivity(system, stencils, points);
+  const beam::TransferSensitivity transfer =
+      beam::transfer_sensitivity(system, acting.stencils, points);
   const std::vector<Complex> support = beam::laplace_transform(motion, points);
-  std::vector<Complex> tip(transfer.transfer);
-  for (std::size_t k = 0; k < points.size(); ++k) tip[k] *= support[k];
-  const double pulse_end = beam::kinks(motion).back().time;
-  const Response response(tip, points, sampling, pulse_end);
-  response.report(result);
+  const beam::TipResponse response(product(transfer.transfer, support), sampling,
+                                   beam::kinks(motion).back().time);
+  SensitivityResult result = result_of(response);
+  result.without = acting.without;
   const auto add = [&](const Input& input, const std::vector<Complex>& rate, double end_rate) {
-    InputSensitivity sensitivity{input.key, input.unit, input.value, 0, {}, {}};
-    response.derive(rate, end_rate, sensitivity);
+    const beam::TipResponseDerivative d = response.derivative(rate, end_rate);
+    InputSensitivity sensitivity{input.key,   input.unit,      input.value,
+                                 d.amplitude, d.peak_velocity, d.ring_down};
     if (direction == Direction::along) sensitivity.peak_velocity.reset();
     result.inputs.push_back(sensitivity);
   };
-  for (std::size_t p = 0; p < of_beam.size(); ++p) {
-    std::vector<Complex> rate(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k)
-      rate[k] = transfer.derivative[p][k] * support[k];
-    add(of_beam[p], rate, 0);
-  }
-  for (std::size_t p = 0; p < of_pulse.size(); ++p) {
-    std::vector<Complex> rate(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k)
-      rate[k] = transfer.transfer[k] * transform_derivative(kinks[p], points[k]);
-    add(of_pulse[p], rate, kinks[p].back().second.time);
-  }
-  const auto weight = [&](const InputSensitivity& input) {
-    return std::abs(input.amplitude * input.value);
-  };
-  std::sort(result.inputs.begin(), result.inputs.end(),
-            [&](const auto& a, const auto& b) { return weight(a) > weight(b); });
+  for (std::size_t p = 0; p < acting.of_beam.size(); ++p)
+    add(acting.of_beam[p], product(transfer.derivative[p], support), 0);
+  for (std::size_t p = 0; p < acting.of_pulse.size(); ++p)
+    add(acting.of_pulse[p],
+        product(transfer.transfer, beam::laplace_transform_derivative(acting.kinks[p], points)),
+        acting.kinks[p].back().rate.time);
+  sort_by_effect(result.inputs);
   return result;
 }
 
@@ -348,12 +243,9 @@ SensitivityResult beam_response(const Configuration& study, const VibrationCase&
   const beam::SupportMotion motion = motion_of(study, setup, direction);
   const beam::Sampling sampling = study.read<BeamIntegration>().sampling();
   const std::vector<Complex> points = beam::transform_points(sampling);
-  std::vector<Complex> tip = beam::TransferFunction(system).at(points);
-  const std::vector<Complex> support = beam::laplace_transform(motion, points);
-  for (std::size_t k = 0; k < points.size(); ++k) tip[k] *= support[k];
-  SensitivityResult result;
-  Response(tip, points, sampling, beam::kinks(motion).back().time).report(result);
-  return result;
+  const std::vector<Complex> tip =
+      product(beam::TransferFunction(system).at(points), beam::laplace_transform(motion, points));
+  return result_of(beam::TipResponse(tip, sampling, beam::kinks(motion).back().time));
 }
 
 nlohmann::json to_json(const SensitivityResult& result) {

@@ -8,7 +8,7 @@ using namespace zona::beam;
 
 namespace {
 
-const UniformBeam kUnitBeam{1, 1, 1};
+const UniformBeam unit_beam{1, 1, 1};
 
 /// Integral of f over [0, 1] by Simpson's rule.
 template <class Function>
@@ -21,8 +21,8 @@ double integral(Function&& f, int intervals) {
 }  // namespace
 
 TEST_CASE("roots satisfy the frequency equation (5.70)") {
-  const ExactCantilever exact(kUnitBeam, 2000);
-  // The classical values, to the digits of handbooks.
+  const ExactCantilever exact(unit_beam, 2000);
+  // Values of handbooks, to their digits.
   CHECK(exact.root(1) == Approx(1.875104069).epsilon(1e-9));
   CHECK(exact.root(2) == Approx(4.694091133).epsilon(1e-9));
   CHECK(exact.root(3) == Approx(7.854757438).epsilon(1e-9));
@@ -35,7 +35,7 @@ TEST_CASE("roots satisfy the frequency equation (5.70)") {
 }
 
 TEST_CASE("mode shapes satisfy the boundary conditions, are orthonormal and never overflow") {
-  const ExactCantilever exact(kUnitBeam, 2000);
+  const ExactCantilever exact(unit_beam, 2000);
   for (const int n : {1, 2, 7, 80, 2000}) {
     CHECK(std::abs(exact.shape(n, 0)) < 1e-13);
     CHECK(exact.shape(n, 1) == Approx(n % 2 == 1 ? 2 : -2).epsilon(1e-11));
@@ -50,12 +50,12 @@ TEST_CASE("mode shapes satisfy the boundary conditions, are orthonormal and neve
 }
 
 TEST_CASE("tip shares are the mean of the mode times its tip value and sum to the rigid motion") {
-  const ExactCantilever exact(kUnitBeam, 2000);
+  const ExactCantilever exact(unit_beam, 2000);
   for (const int n : {1, 2, 9}) {
     const double mean = integral([&](double x) { return exact.shape(n, x); }, 2000);
     CHECK(exact.tip_share(n) == Approx(mean * exact.shape(n, 1)).epsilon(1e-7));
   }
-  // Alternating series with terms 4 / root: the remainder is at most the first term left out.
+  // Alternating series with terms 4 / root: the remainder is at most the first omitted term.
   double sum = 0;
   for (int n = 1; n <= exact.modes(); ++n) sum += exact.tip_share(n);
   CHECK(std::abs(sum - 1) < 4 / exact.root(2000));
@@ -80,8 +80,8 @@ TEST_CASE("the history is the modal sum that it replaces") {
 }
 
 TEST_CASE("eighty modes give the amplitudes known for a 60 us pulse") {
-  // Independent calculation, to the digits given. They are ratios of *absolute* tip displacement:
-  // the relative ones are 1.03, 1.00, 1.00, 1.00.
+  // Independent calculation of the ratios of *absolute* tip displacement; those of relative
+  // displacement are 1.03, 1.00, 1.00, 1.00.
   const struct {
     const char* fluid;
     double ratio, half_digit;
@@ -98,8 +98,8 @@ TEST_CASE("eighty modes give the amplitudes known for a 60 us pulse") {
 }
 
 TEST_CASE("the tip waits before it answers") {
-  // Bending waves are dispersive: the 80 modes' fastest reach the tip early but carry next to
-  // nothing.
+  // Bending waves are dispersive: the fastest of the 80 modes reach the tip early, with tiny
+  // amplitudes.
   const ExactCantilever exact(uniform_beam(test::pipette_with("mercury")), 1000);
   const TipHistory history = exact.tip_history(triangular_pulse(1, 60e-6), {5e-3, 0.6e-6});
   for (std::size_t i = 0; history.time[i] < 100e-6; ++i)

@@ -12,8 +12,6 @@ using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// A pipette without profile and columns for the exact solution, from the support to the tip.
 std::vector<UniformRodPiece> pieces_of(const Pipette& pipette) {
   const double area = glass_area(diameters_at(pipette, 0));
@@ -61,35 +59,36 @@ TEST_CASE("the load of a bore is that of the modified Bessel functions and of th
   for (const double x : {1e-3, 0.1, 1., 10., 59.9, 60.1, 300.})
     CHECK(bore_ratio(x).real() ==
           Approx(x * std::cyl_bessel_i(1, x) / std::cyl_bessel_i(0, x)).epsilon(1e-11));
-  // x I1/I0 = 2 sum of x^2/(x^2 + j_n^2), j_n the zeros of J0; from n on j_n = (n - 1/4) pi, and
-  // what is left after N is 2 x^2 / (pi^2 N).
+  // x I1/I0 = 2 sum of x^2/(x^2 + j_n^2) with the zeros j_n of J0. For large n j_n = (n - 1/4) pi,
+  // and the remainder after N terms is 2 x^2 / (pi^2 N).
   for (const Complex x :
-       {std::polar(0.3, kPi / 4), std::polar(4., 0.6), std::polar(50., kPi / 4)}) {
+       {std::polar(0.3, M_PI / 4), std::polar(4., 0.6), std::polar(50., M_PI / 4)}) {
     Complex sum = 0;
     const int count = 100000;
     for (int n = count; n >= 1; --n) {
-      const double beta = (n - 0.25) * kPi;
+      const double beta = (n - 0.25) * M_PI;
       double zero = beta + 1 / (8 * beta) - 124 / (3 * std::pow(8 * beta, 3));
       for (int step = 0; step < 3 && n < 20; ++step)
         zero += std::cyl_bessel_j(0, zero) / std::cyl_bessel_j(1, zero);
       sum += 2. * x * x / (x * x + zero * zero);
     }
-    sum += 2. * x * x / (kPi * kPi * (count + 0.25));
+    sum += 2. * x * x / (M_PI * M_PI * (count + 0.25));
     CHECK(std::abs(bore_ratio(x) / sum - 1.) < 1e-7);
   }
 }
 
 TEST_CASE("of slow motions a bore's fluid follows as a whole, of fast ones a layer") {
   const Liquid mercury{13600, 1.526e-3};
-  const double radius = 4e-6, mass = mercury.density * kPi * radius * radius;
+  const double radius = 4e-6, mass = mercury.density * M_PI * radius * radius;
   const Complex slow(0, 10), fast(0, 1e9);
   CHECK(std::abs(viscous_load(Flow::within, mercury, radius, slow) / (slow * mass) - 1.) < 2e-4);
   // Layer of thickness sqrt(nu/s) around the bore.
   const Complex layer = std::sqrt(mercury.viscosity / mercury.density / fast);
   CHECK(std::abs(viscous_load(Flow::within, mercury, radius, fast) /
-                     (fast * mercury.density * 2. * kPi * radius * layer) -
+                     (fast * mercury.density * 2. * M_PI * radius * layer) -
                  1.) < 3e-3);
-  // Both sides of a thin layer are alike, and along a cylinder there is half of the load across.
+  // A thin layer has the same load on both sides of a wall; along a cylinder the load is half of
+  // that across.
   const Complex within = viscous_load(Flow::within, mercury, radius, fast),
                 along = viscous_load(Flow::along, mercury, radius, fast);
   CHECK(std::abs(along / within - 1.) < 6e-3);
@@ -97,7 +96,7 @@ TEST_CASE("of slow motions a bore's fluid follows as a whole, of fast ones a lay
 }
 
 TEST_CASE("Maxwell elements represent the load of a bore, and that along a cylinder") {
-  const double lowest = 2 * kPi * 10, highest = 2 * kPi * 1e6;
+  const double lowest = 2 * M_PI * 10, highest = 2 * M_PI * 1e6;
   const RateLadder ladder = RateLadder::over(lowest, highest, 0.5);
   for (const Liquid& liquid : {Liquid{}, Liquid{13600, 1.526e-3}, Liquid{1018, 0.5}})
     for (const double radius : {0.4e-6, 4e-6, 40e-6, 400e-6})
@@ -128,7 +127,7 @@ TEST_CASE("a filled rod has the exact transfer function, in air and dipped") {
       const BeamSystem system = axial_rod(pipette);
       const TransferFunction transfer(system);
       for (const double frequency : {10., 1e3, 17e3, 100e3, 400e3}) {
-        const Complex s(300, 2 * kPi * frequency);
+        const Complex s(300, 2 * M_PI * frequency);
         const Complex exact = exact_rod_transfer(pieces_of(pipette), pipette.bath.liquid, s);
         INFO(fluid << ", " << dip << " m, " << frequency << " Hz");
         // (k h)^6 / 4e5 of the frequency is 1e-9 at 400 kHz.
@@ -149,7 +148,7 @@ TEST_CASE("columns of fluids in a rod have the transfer function of their pieces
   water.length = 1e-3;
   water.fill = {1000, 8.9e-4};
   for (const double frequency : {100., 17e3, 150e3}) {
-    const Complex s(100, 2 * kPi * frequency);
+    const Complex s(100, 2 * M_PI * frequency);
     CHECK(std::abs(TransferFunction(system)(s) / exact_rod_transfer({mercury, air, water}, {}, s) -
                    1.) < 1e-6);
   }
@@ -187,9 +186,9 @@ TEST_CASE("a filled rod comes to rest, by every integrator") {
     CHECK(error(Arkode{1e-6, 1e-12, RungeKutta::implicit_5}) < 6e-3);
     CHECK(error(Modal{}) < 0.05);
   }
-  // The numbers of docs/theory/beam.md, there from 1/cosh(k L) and, in brackets, with the pressure
-  // of a compressible fluid: 1.0715 (1.0709), and 0.026 um (0.029) from 100 us on. Fluid that
-  // followed as a whole would leave 4.9 um.
+  // Numbers of docs/theory/beam.md, computed there from 1/cosh(k L) and, in brackets, with the
+  // pressure of a compressible fluid: 1.0715 (1.0709), and 0.026 um (0.029) from 100 us on. A fluid
+  // that follows completely would give 4.9 um.
   const TipHistory tip =
       integrate(axial_rod(test::pipette_with("mercury", 40)), pulse, {500e-6, 0.2e-6}, Transform{});
   CHECK(amplitude_ratio(tip, peak) == Approx(1.0715).margin(0.0005));
@@ -206,7 +205,7 @@ TEST_CASE("a bath damps an empty rod that would ring") {
   CHECK(test::greatest_difference(in_water.displacement, exact_tip(wet, pulse, sampling)) < 1e-3);
   CHECK(greatest_between(in_air, 360e-6, 500e-6) > 0.015);
   CHECK(greatest_between(in_water, 360e-6, 500e-6) < 1e-4);
-  // Across itself only the quadratic drag has a place.
+  // Only motion across the pipette has a quadratic drag.
   Pipette dragged = wet;
   dragged.bath.drag_coefficient = 1;
   CHECK(axial_rod(dragged).liquids.drag.empty());

@@ -17,7 +17,12 @@ using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+/// Gamma of a circular cylinder for motion as exp(-i omega t) (Sader, J. Appl. Phys. 84, 64, 1998,
+/// eq. 20), with lambda^2 = -i Re.
+Complex hydrodynamic_function(double reynolds_number) {
+  const Complex lambda = std::sqrt(Complex(0, -reynolds_number));
+  return 1. + 4. * outer_ratio(lambda) / (lambda * lambda);
+}
 
 /// The pipette of Table 5.5, immersed over a length from its tip.
 Pipette immersed(const std::string& fluid, double length, int elements = 80) {
@@ -27,7 +32,7 @@ Pipette immersed(const std::string& fluid, double length, int elements = 80) {
   return pipette;
 }
 
-/// The same for the exact solution.
+/// Pieces of the pipette for the exact solution.
 std::vector<UniformPiece> pieces_of(const Pipette& pipette) {
   Pipette dry = pipette;
   dry.bath = {};
@@ -41,7 +46,7 @@ std::vector<UniformPiece> pieces_of(const Pipette& pipette) {
   return pieces;
 }
 
-/// The tip by the exact transfer function, inverted.
+/// Displacement of the tip by inversion of the exact transfer function.
 std::vector<double> exact_tip(const Pipette& pipette, const SupportMotion& motion,
                               const Sampling& sampling) {
   const std::vector<Complex> points = transform_points(sampling);
@@ -66,7 +71,7 @@ TEST_CASE("the hydrodynamic function of a cylinder has Sader's values") {
     CHECK(outer_ratio(x).real() ==
           Approx(x * std::cyl_bessel_k(1, x) / std::cyl_bessel_k(0, x)).epsilon(1e-12));
   // Stokes' layer is thin: half of its added mass, lambda + 1/2 - 1/(8 lambda).
-  const Complex thin = std::polar(200., -kPi / 4);
+  const Complex thin = std::polar(200., -M_PI / 4);
   CHECK(std::abs(outer_ratio(thin) - (thin + 0.5 - 1. / (8. * thin))) < 1e-5);
 }
 
@@ -77,7 +82,7 @@ TEST_CASE("the load on a taper is interpolated between few radii") {
 }
 
 TEST_CASE("Maxwell elements represent the load of a liquid, and a loss factor") {
-  const double lowest = 2 * kPi * 10, highest = 2 * kPi * 1e6;
+  const double lowest = 2 * M_PI * 10, highest = 2 * M_PI * 1e6;
   const RateLadder ladder = RateLadder::over(lowest, highest);
   const Liquid water;
   for (const double radius : {0.5e-6, 5e-6, 50e-6, 500e-6}) {
@@ -86,16 +91,16 @@ TEST_CASE("Maxwell elements represent the load of a liquid, and a loss factor") 
     for (double omega = lowest; omega < highest; omega *= 1.7) {
       const Complex s(0, omega);
       const Complex exact = viscous_load(Flow::across, water, radius, s);
-      // Trapezoidal rule: 2 exp(-pi^2) = 1e-4; the elements left out weigh in at the ends.
+      // Trapezoidal rule: 2 exp(-pi^2) = 1e-4; at the ends also the omitted elements.
       CHECK(std::abs(evaluate(ladder, viscous, s) / exact - 1.) < 4e-4);
     }
   }
   for (const double loss : {0.001, 0.1, 0.5}) {
-    const Relaxation modulus = loss_relaxation(ladder, loss, 2 * kPi * 1e4);
+    const Relaxation modulus = loss_relaxation(ladder, loss, 2 * M_PI * 1e4);
     for (double omega = lowest; omega < highest; omega *= 1.7) {
-      const Complex exact = loss_modulus({0, omega}, loss, 2 * kPi * 1e4);
+      const Complex exact = loss_modulus({0, omega}, loss, 2 * M_PI * 1e4);
       CHECK(exact.imag() / exact.real() == Approx(loss).epsilon(1e-12));
-      // Left out below the ladder: 2/pi loss times p/omega, a thousandth at the lowest frequency.
+      // Omitted below the ladder: 2/pi loss times p/omega, a thousandth at the lowest frequency.
       CHECK(std::abs(evaluate(ladder, modulus, {0, omega}) / exact - 1.) < 7e-4 * loss);
     }
   }
@@ -109,7 +114,7 @@ TEST_CASE("the transfer function agrees with the exact one, in air and immersed"
       const TransferFunction transfer(system);
       // The modes of Table 5.6 end at 2.4 and 8.4 kHz; 30 kHz is the spectrum of a 60 us pulse.
       for (const double frequency : {10., 100., 1000., 8400., 30e3}) {
-        const Complex s(300, 2 * kPi * frequency);
+        const Complex s(300, 2 * M_PI * frequency);
         const Complex exact = exact_transfer(pieces_of(pipette), pipette.bath.liquid, s);
         INFO(fluid << ", " << length << " m, " << frequency << " Hz");
         // (alpha h)^4/5760 < 4e-6 is the error of alpha, times alpha L < 62 that of the phase, and
@@ -121,7 +126,7 @@ TEST_CASE("the transfer function agrees with the exact one, in air and immersed"
 
 TEST_CASE("a cylinder in vacuum has the transfer function of its modes") {
   const Pipette pipette = test::pipette_with("water", 40);
-  const Complex s(0, 2 * kPi * 400);
+  const Complex s(0, 2 * M_PI * 400);
   const UniformBeam beam = uniform_beam(pipette);
   const double z =
       beam.length * std::pow(std::norm(s) * beam.mass_per_length / beam.flexural_rigidity, 0.25);
@@ -137,12 +142,12 @@ TEST_CASE("the inverse transform gives the motion of modal superposition in vacu
   const Sampling sampling{5e-3, 0.6e-6};
   const TipHistory modal = integrate(system, pulse, sampling, Modal{});
   const TipHistory transform = integrate(system, pulse, sampling, Transform{});
-  // exp(-16) comes back of later times; modes above half the sampling frequency are left out.
+  // Later times alias with exp(-16); modes above half the sampling frequency are missing.
   CHECK(test::greatest_difference(modal.displacement, transform.displacement) < 2e-5);
 }
 
 TEST_CASE("the inverse transform is as good at the end of the samples as at their beginning") {
-  // Stiff and hardly damped, driven by kinks between the samples: most is above what they resolve.
+  // Stiff and hardly damped, driven by kinks between the samples, which resolve only a small part.
   Pipette pipette = test::pipette_with("water", 80);
   pipette.length = 2.52e-3;
   pipette.profile = {{0, 10e-6, 8e-6}, {pipette.length, 18.32e-6, 14.656e-6}};
@@ -179,7 +184,7 @@ TEST_CASE("immersed, the inverse transform gives the exact motion of the tip") {
 }
 
 TEST_CASE("fully immersed, the dense fill rings more") {
-  // Known beforehand for 10 mm in water: 0.007 empty, 0.009 water, 0.011 Fluorinert, 0.073 mercury.
+  // Expected for 10 mm in water: 0.007 empty, 0.009 water, 0.011 Fluorinert, 0.073 mercury.
   const std::vector<std::pair<std::string, double>> known{
       {"none", 0.007}, {"water", 0.009}, {"fluorinert", 0.011}, {"mercury", 0.073}};
   for (const auto& [fluid, ratio] : known) {
@@ -204,7 +209,7 @@ TEST_CASE("immersed, the transient integrators agree with the inverse transform"
       return test::greatest_difference(tip.displacement, transform.displacement) / peak;
     };
     INFO(length << " m");
-    // Half the sampling frequency cuts the transform off: some 1e-3 where the tip first stirs.
+    // The cut at half the sampling frequency causes some 1e-3 where the tip first moves.
     CHECK(error(Newmark{16}) < 2e-3);
     CHECK(error(Newmark{4}) < 2e-2);
     CHECK(error(Arkode{1e-6, 1e-6, RungeKutta::implicit_5}) < 2e-3);
@@ -220,7 +225,7 @@ TEST_CASE("the transient beam has the exact spectrum up to the sixth mode") {
     // Table 5.6 of each fill: 27.7 to 2355 Hz with mercury, 99 to 8420 Hz without.
     const double first = fluid == "none" ? 99 : 27.7;
     for (const double ratio : {1., 6.267, 17.55, 34.39, 56.84, 84.91}) {
-      const Complex s(3000, 2 * kPi * first * ratio);  // exp(-15) of it is left after 5 ms
+      const Complex s(3000, 2 * M_PI * first * ratio);  // exp(-15) of it is left after 5 ms
       Complex spectrum = 0;
       for (std::size_t i = 0; i < tip.time.size(); ++i)
         spectrum += sampling.step * tip.displacement[i] * std::exp(-s * tip.time[i]);
@@ -240,7 +245,7 @@ TEST_CASE("beams in frequency and in time have the exact response up to the sixt
     const TransientBeam beam = transient_beam(system, {1e2, 1e6});
     const double first = fluid == "none" ? 99 : 27.7;
     for (double frequency = first; frequency < 85 * first; frequency *= 1.3) {
-      const Complex s(0, 2 * kPi * frequency);
+      const Complex s(0, 2 * M_PI * frequency);
       const Complex exact = exact_transfer(pieces_of(pipette), pipette.bath.liquid, s);
       // The transient beam's equations in the Laplace domain, q / g.
       Eigen::MatrixXcd matrix = s * s * beam.mass.dense() + s * beam.damping.dense();
@@ -299,7 +304,8 @@ TEST_CASE("modes in a bath are those of the exact transfer function") {
   const TipHistory modal = integrate(system, pulse, {2e-3, 0.6e-6}, Modal{});
   pipette.bath.model = BathModel::frequency;
   const TipHistory exact = integrate(cantilever(pipette), pulse, {2e-3, 0.6e-6}, Transform{});
-  // That the load is frozen at each mode's frequency costs a part of the damping ratio, 8 %.
+  // Taking the load at each mode's frequency causes an error of the order of the damping ratio, 8
+  // %.
   CHECK(test::greatest_difference(modal.displacement, exact.displacement) <
         0.04 * greatest(exact.displacement));
 }
@@ -313,9 +319,9 @@ TEST_CASE("a loss factor damps every mode by half of itself") {
   const NaturalModes modes = natural_modes(system);
   for (int n : {0, 3}) {
     // (s/w0)^a / cos(a pi/2) at the mode's own frequency: the storage modulus has grown as w^a.
-    const double a = 2 / kPi * std::atan(pipette.loss_factor);
+    const double a = 2 / M_PI * std::atan(pipette.loss_factor);
     double omega = modes.angular_frequency(n);
-    omega *= std::pow(omega / (2 * kPi * pipette.loss_frequency), a / (2 - a));
+    omega *= std::pow(omega / (2 * M_PI * pipette.loss_frequency), a / (2 - a));
     const double width = omega * pipette.loss_factor / 2;
     const double ratio = std::abs(transfer({0, omega + width})) / std::abs(transfer({0, omega}));
     CHECK(ratio == Approx(std::sqrt(0.5)).epsilon(0.03));
@@ -324,7 +330,7 @@ TEST_CASE("a loss factor damps every mode by half of itself") {
 }
 
 TEST_CASE("a quadratic drag takes energy out in proportion to the amplitude") {
-  // At small amplitudes it is nothing; at large ones the response per amplitude falls.
+  // The drag vanishes at small amplitudes and lowers the response per amplitude at large ones.
   Pipette pipette = immersed("mercury", 10e-3, 20);
   pipette.bath.drag_coefficient = 2;
   const BeamSystem system = cantilever(pipette);

@@ -21,7 +21,7 @@ TEST_CASE("the total mass and the rigid motion come out of the matrices") {
   const Pipette pipette = test::pipette_with("water", 7);
   const UniformBeam beam = uniform_beam(pipette);
   const BeamSystem system = cantilever(pipette);
-  // A rigid translation of the free vertices leaves out only what the clamped vertex carries:
+  // A rigid translation of the free vertices lacks only the share of the clamped vertex:
   // rho l - (13/35 + 9/70) rho h, the exact integral of the left Hermite deflection function.
   double mass = 0;
   for (int i = 0; i < system.size(); ++i)

@@ -10,7 +10,7 @@ using namespace zona::beam;
 TEST_CASE("twenty elements give the six frequencies of Table 5.6") {
   const double table[] = {27.729, 173.791, 486.666, 953.692, 1576.353, 2354.919};
   const auto frequency = natural_modes(cantilever(test::pipette_with("mercury"))).frequency();
-  // The table itself is off (5.72) by up to 0.011 %; the elements by (1.7/2)^4/1440 = 0.03 % for
+  // The table deviates from (5.72) by up to 0.011 %, the elements by (1.7/2)^4/1440 = 0.03 % for
   // mode 6.
   for (int n = 0; n < 6; ++n) CHECK(frequency(n) == Approx(table[n]).epsilon(1e-3));
 }
@@ -21,7 +21,7 @@ TEST_CASE("modes are orthogonal in mass and stiffness, and mass-normalised") {
   const Eigen::MatrixXd unit = modes.shape.transpose() * system.mass.dense() * modes.shape;
   const Eigen::MatrixXd squares = modes.shape.transpose() * system.stiffness.dense() * modes.shape;
   const Eigen::ArrayXd omega = modes.angular_frequency.array();
-  // A backward stable solver leaves size * rounding of the greatest eigenvalue.
+  // A backward stable solver errs by size * rounding of the greatest eigenvalue.
   CHECK((unit - Eigen::MatrixXd::Identity(40, 40)).cwiseAbs().maxCoeff() < 1e-12);
   const Eigen::MatrixXd expected = omega.square().matrix().asDiagonal();
   CHECK((squares - expected).cwiseAbs().maxCoeff() < 1e-12 * omega.square().maxCoeff());

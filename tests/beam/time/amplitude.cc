@@ -6,8 +6,8 @@ using namespace zona::beam;
 
 namespace {
 
-constexpr int kExactModes = 1000;  // further modes change no ratio by more than 1e-5
-const Sampling kRun{5e-3, 0.6e-6};
+constexpr int exact_modes = 1000;  // further modes change no ratio by more than 1e-5
+const Sampling run_sampling{5e-3, 0.6e-6};
 
 double cubic_element_error(double root, int elements) {
   return std::pow(root / elements, 4) / 1440;  // relative error of omega, leading term
@@ -20,14 +20,14 @@ TEST_CASE("forty amplitudes: Newmark converges to modal superposition on one mes
     CAPTURE(fluid, duration);
     const auto pulse = triangular_pulse(1, duration);
     const BeamSystem system = cantilever(test::pipette_with(fluid));
-    const TipHistory modal = integrate(system, pulse, kRun, Modal{});
-    const TipHistory newmark = integrate(system, pulse, kRun, Newmark{32});
+    const TipHistory modal = integrate(system, pulse, run_sampling, Modal{});
+    const TipHistory newmark = integrate(system, pulse, run_sampling, Newmark{32});
 
     // Average acceleration lengthens the period by (omega h)^2 / 12; the 40 modes of the mesh.
     const ExactCantilever modes(uniform_beam(test::pipette_with(fluid)), 40);
-    const double h = kRun.step / 32;
+    const double h = run_sampling.step / 32;
     CHECK(test::greatest_difference(newmark.displacement, modal.displacement) <
-          test::phase_error_bound(modes, pulse, kRun.end, [h](double omega, double) {
+          test::phase_error_bound(modes, pulse, run_sampling.end, [h](double omega, double) {
             return omega * omega * h * h / 12;
           }));
   }
@@ -38,8 +38,8 @@ TEST_CASE("forty amplitudes: ARKODE agrees with modal superposition on one mesh"
     CAPTURE(fluid, duration);
     const auto pulse = triangular_pulse(1, duration);
     const BeamSystem system = cantilever(test::pipette_with(fluid));
-    const TipHistory modal = integrate(system, pulse, kRun, Modal{});
-    const TipHistory arkode = integrate(system, pulse, kRun, Arkode{1e-4, 1e-6});
+    const TipHistory modal = integrate(system, pulse, run_sampling, Modal{});
+    const TipHistory arkode = integrate(system, pulse, run_sampling, Arkode{1e-4, 1e-6});
     // Some 10^4 steps with a local error of about 1e-6 add up at random to 1e-4, at worst to 1e-2.
     CHECK(test::greatest_difference(arkode.displacement, modal.displacement) < 1e-3);
     CHECK(amplitude_ratio(arkode, 1) == Approx(amplitude_ratio(modal, 1)).margin(1e-3));
@@ -51,17 +51,17 @@ TEST_CASE("forty amplitudes: finite elements converge to the continuum") {
   for (const auto& [fluid, duration] : test::figure_5_28()) {
     CAPTURE(fluid, duration);
     const auto pulse = triangular_pulse(1, duration);
-    const ExactCantilever exact(uniform_beam(test::pipette_with(fluid)), kExactModes);
-    const TipHistory reference = exact.tip_history(pulse, kRun);
+    const ExactCantilever exact(uniform_beam(test::pipette_with(fluid)), exact_modes);
+    const TipHistory reference = exact.tip_history(pulse, run_sampling);
     int level = 0;
     for (const int elements : {20, 40, 80}) {
       const BeamSystem system = cantilever(test::pipette_with(fluid, elements));
-      const TipHistory modal = integrate(system, pulse, kRun, Modal{});
+      const TipHistory modal = integrate(system, pulse, run_sampling, Modal{});
       const double difference =
           test::greatest_difference(modal.displacement, reference.displacement);
       CHECK(difference <
             test::phase_error_bound(
-                exact, pulse, kRun.end,
+                exact, pulse, run_sampling.end,
                 [&](double, double root) { return cubic_element_error(root, elements); }));
       const double error = std::abs(amplitude_ratio(modal, 1) - amplitude_ratio(reference, 1));
       worst[level] = std::max(worst[level], error);
@@ -81,8 +81,8 @@ TEST_CASE(
   const auto pulse = triangular_pulse(1, 60e-6);
   double previous = 10;
   for (const char* fluid : {"none", "water", "fluorinert", "mercury"}) {
-    const ExactCantilever exact(uniform_beam(test::pipette_with(fluid)), kExactModes);
-    const double ratio = amplitude_ratio(exact.tip_history(pulse, kRun), 1);
+    const ExactCantilever exact(uniform_beam(test::pipette_with(fluid)), exact_modes);
+    const double ratio = amplitude_ratio(exact.tip_history(pulse, run_sampling), 1);
     CHECK(ratio < previous);
     previous = ratio;
   }
@@ -90,7 +90,8 @@ TEST_CASE(
 
 TEST_CASE("the dissertation's own mesh and step are reproducible in milliseconds") {
   const BeamSystem system = cantilever(test::pipette_with("mercury"));
-  const TipHistory history = integrate(system, triangular_pulse(17.9e-6, 60e-6), kRun, Newmark{});
+  const TipHistory history =
+      integrate(system, triangular_pulse(17.9e-6, 60e-6), run_sampling, Newmark{});
   CHECK(history.time.size() == 8335);
   CHECK(history.time.back() >= 5e-3);
   CHECK(history.displacement.size() == history.acceleration.size());

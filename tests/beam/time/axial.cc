@@ -14,9 +14,9 @@ double wave_speed(const Pipette& pipette) {
   return std::sqrt(pipette.youngs_modulus / pipette.density);
 }
 
-/// Tip of a uniform rod, d'Alembert's solution: g leaves the support, doubles at the free end and
-/// turns its sign at the support, 2 g(t - T) - 2 g(t - 3 T) + ... with T = L/c. Two slopes may meet
-/// at a sample, so only the displacement is compared.
+/// Tip of a uniform rod by d'Alembert's solution: g leaves the support, doubles at the free end and
+/// changes its sign at the support, 2 g(t - T) - 2 g(t - 3 T) + ... with T = L/c. A kink may fall
+/// on a sample, so only the displacement is compared.
 double dalembert(double time, double travel, double peak, double duration) {
   double tip = 0, sign = 2;
   for (double local = time - travel; local > 0; local -= 2 * travel, sign = -sign)
@@ -83,8 +83,8 @@ TEST_CASE("the tip of a rod follows d'Alembert's solution for a triangular pulse
     pipette.density = density;
     const double travel = pipette.length / wave_speed(pipette);
     const BeamSystem rod = axial_rod(pipette);
-    // Only the kinks err: the mesh rounds them over an element or two, the more the denser the
-    // glass, and Newmark over (t dt^2)^(1/3).
+    // Errors come from the kinks only: the mesh smooths them over an element or two, more so for
+    // denser glass, and Newmark over (t dt^2)^(1/3).
     const double by_modes =
         greatest_error(integrate(rod, pulse, sampling, Modal{}), travel, peak, duration);
     CHECK(by_modes < 2e-3 * peak);

@@ -9,14 +9,14 @@ using namespace zona::beam;
 
 namespace {
 
-const SupportMotion kAtRest = SampledMotion{{0, 1}, {0, 0}};
+const SupportMotion at_rest = SampledMotion{{0, 1}, {0, 0}};
 
 }  // namespace
 
 TEST_CASE("Newmark conserves the energy of free vibration") {
   const BeamSystem system = cantilever(test::pipette_with("mercury"));
-  NewmarkStepper stepper(system, kAtRest, 0.6e-6);
-  // All modes at once: the tip is plucked.
+  NewmarkStepper stepper(system, at_rest, 0.6e-6);
+  // A plucked tip excites all modes.
   Eigen::VectorXd plucked = 1e-9 * system.observation;
   BandFactor(system.stiffness).solve_in_place(plucked);
   stepper.set_state(0, plucked, 0.01 * system.observation);
@@ -70,7 +70,7 @@ TEST_CASE("modal superposition with kinks anywhere is exact whatever the samplin
   const TipHistory coarse = integrate(system, trace, {1e-3, 20e-6}, Modal{});
   const TipHistory fine = integrate(system, trace, {1e-3, 1e-6}, Modal{});
   for (std::size_t i = 0; i < coarse.time.size(); ++i) {
-    // Only rounding, of the phases, is between them.
+    // They differ only by rounding of the phases.
     CHECK(coarse.displacement[i] == Approx(fine.displacement[20 * i]).margin(1e-10));
     CHECK(coarse.support[i] == displacement(SupportMotion(trace), coarse.time[i]));
   }

@@ -10,7 +10,7 @@ using namespace zona::beam;
 
 namespace {
 
-const SupportMotion kAtRest = SampledMotion{{0, 1}, {0, 0}};
+const SupportMotion at_rest = SampledMotion{{0, 1}, {0, 0}};
 
 /// Greatest relative tip displacement that kinks can cause.
 double ringing(const Pipette& pipette, const SupportMotion& motion) {
@@ -69,7 +69,7 @@ TEST_CASE("one mode under Rayleigh damping decays as the closed form says") {
     const double omega = modes.angular_frequency(n);
     const double sigma = (pipette.damping_alpha + pipette.damping_beta * omega * omega) / 2;
     const double damped = std::sqrt(omega * omega - sigma * sigma);
-    NewmarkStepper stepper(system, kAtRest, 1e-6);
+    NewmarkStepper stepper(system, at_rest, 1e-6);
     stepper.set_state(0, modes.shape.col(n), Eigen::VectorXd::Zero(system.size()));
     const double start = stepper.observed().displacement;
     for (int i = 0; i < 20; ++i) {

@@ -45,7 +45,7 @@ TEST_CASE("A disc is a fan of rings with one normal") {
       area += n;
       sum += n.norm();
     }
-    // A regular polygon of 30 sides; all triangles turn the same way.
+    // A regular polygon of 30 sides; all triangles have the same orientation.
     const double polygon = 0.5 * 30 * 0.25 * std::sin(2 * M_PI / 30);
     CHECK(sum == Approx(polygon));
     CHECK(area.isApprox(polygon * Vector3d::Unit(axis)));

@@ -126,6 +126,6 @@ TEST_CASE("What a held edge gives is the momentum that is missing") {
   const Vector3d given = weighed * (end_force + mass * Vector3d(0, 0, -9.81)) + impulse;
   // Rounding of 300 steps of impulses of 10 kg * 9.81 m/s^2 * 5e-4 s.
   CHECK((momentum - given).norm() < 1e-12 * mass * 9.81 * weighed);
-  // Held components do what they are told to: the velocity at the end of the step.
+  // Held components have the prescribed velocity at the end of the step.
   CHECK(momentum.z() == Approx(mass * 0.01 * solver.time()).epsilon(1e-9));
 }

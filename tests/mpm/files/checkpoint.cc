@@ -6,7 +6,7 @@
 #include <iterator>
 #include <random>
 
-// Its functions inline: the library is no business of the tests.
+// Inline functions only: the tests do not link the library.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -44,7 +44,7 @@ void write(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// What a checkpoint ends with.
+/// The end of a checkpoint.
 std::string end_of(const std::string& image) {
   const XXH64_hash_t hash = XXH3_64bits(image.data(), image.size());
   return "ZONAHASH" + std::string(reinterpret_cast<const char*>(&hash), sizeof hash);
@@ -111,11 +111,11 @@ TEST_CASE("a checkpoint of another model is refused", "[checkpoint]") {
   State larger;
   larger.reals.push_back(1);
   CHECK_THROWS_WITH(Checkpoint(scratch / "a").restore(larger.visit()),
-                    Catch::Contains("reals has 3 values, but 4 are wanted"));
+                    Catch::Contains("reals has 3 values, but the model needs 4"));
   double unknown = 0;
   CHECK_THROWS_WITH(
       Checkpoint(scratch / "a").restore([&](StateVisitor& v) { v.visit("unknown", unknown); }),
-      Catch::Contains("unknown") && Catch::Contains("of another model"));
+      Catch::Contains("unknown") && Catch::Contains("belongs to another model"));
 }
 
 TEST_CASE("a checkpoint that cannot be written leaves the old one", "[checkpoint]") {

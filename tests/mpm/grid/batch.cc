@@ -12,7 +12,7 @@ using namespace zona::mpm;
 
 namespace {
 
-/// Points of an elastic solid in the cells of a brick, few in each, and nodes that move at random.
+/// Points of an elastic solid in the cells of a brick, few in each, and nodes with random motion.
 struct FewPoints {
   BackgroundGrid grid{{1, 2, 3}, {0.5, 0.4, 0.3}, {4, 4, 4}};
   MaterialPoints points;
@@ -42,7 +42,7 @@ struct FewPoints {
     for (auto& node : grid.updated) node = HalfLanes{unit(random), unit(random), unit(random), 0};
     REQUIRE(index.build(grid, points.position) == -1);
   }
-  /// Walks all cells one by one, or in batches.
+  /// Traverses all cells one by one, or in batches.
   template <class OnCell, class OnBatch>
   void walk(bool batches, OnCell on_cell, OnBatch on_batch) {
     for_each_cell_or_batch(grid, 0, index.brick(0), batches ? 1000 : 0, on_cell, on_batch);

@@ -81,7 +81,7 @@ std::array<Lanes, 3> natural(const Cell& cell, const Eigen::Vector3d& x) {
   return cell.natural({broadcast(x.x()), broadcast(x.y()), broadcast(x.z())});
 }
 
-/// What a unit vector (1, 2, 3) at x brings to each node.
+/// Contribution of the vector (1, 2, 3) at x to each node.
 std::vector<double> nodal_shares(const BackgroundGrid& grid, const Eigen::Vector3d& x) {
   const Cell cell = cell_at(grid, x);
   Quadratic::VectorSums sums(grid, cell);
@@ -202,7 +202,7 @@ TEST_CASE("Nodal sums of quadratic functions: mass, momentum and the work of the
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
   for_random_places(grid, 40, [&](const Eigen::Vector3d& x) {
     const Cell cell = cell_at(grid, x);
-    PointLoads loads{};
+    PointContributions loads{};
     loads.mass[3] = 2;
     double sigma[3][3];
     for (int i = 0; i < 3; ++i) {

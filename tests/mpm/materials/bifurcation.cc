@@ -26,8 +26,8 @@ double determinant(const Vector3d& n, const Vector3d& principal, double h, const
   return (q - h * a * a.transpose()).determinant() / q.determinant();
 }
 
-/// The direction, out of very many, whose determinant vanishes first when H grows, and that H: the
-/// determinant is 1 - H a.Q^-1.a.
+/// Direction, out of very many, whose determinant 1 - H a.Q^-1.a vanishes first when H grows, and
+/// that H.
 struct Found {
   double coefficient;
   Vector3d normal;
@@ -78,8 +78,8 @@ Matrix2d plane_acoustic(const Vector2d& n, const Matrix3d& d) {
   return b.transpose() * d * b;
 }
 
-/// The largest modulus at which the determinant vanishes for this direction, by bisection: it falls
-/// from positive to negative when the modulus falls.
+/// Largest modulus at which the determinant vanishes for this direction, by bisection: the
+/// determinant changes from positive to negative when the modulus falls.
 double critical_modulus_of(double angle, double s1, double s2, const ElasticModuli& e) {
   const Vector2d n(std::cos(angle), std::sin(angle));
   double low = -0.3 * e.youngs_modulus, high = e.youngs_modulus;
@@ -193,7 +193,7 @@ TEST_CASE("Plane stress: the closed form against bisection over directions") {
 TEST_CASE("Plane stress: known directions, and what the source's reading makes of them") {
   const ElasticModuli e{17.9e3, 0.49};
   const double degrees = 180 / M_PI;
-  // Uniaxial tension: the line stands at 54.7 degrees to the load, its normal at 35.3.
+  // Uniaxial tension: the line is at 54.7 degrees to the load, its normal at 35.3.
   CHECK(plane_stress_bifurcation(1, 0, e).angle * degrees == Approx(35.264).epsilon(1e-4));
   CHECK(plane_stress_bifurcation(1, -1, e).angle * degrees == Approx(45));
   CHECK(plane_stress_bifurcation(1, 0.5, e).angle == Approx(0).margin(1e-7));

@@ -17,7 +17,7 @@ VelocityGradient uniform_gradient(const double (&l)[3][3]) {
   return gradient;
 }
 
-/// The iteration (4.36)-(4.41) as printed, until it stands.
+/// The iteration (4.36)-(4.41) as printed, until it converges.
 struct Iterated {
   double density, energy, pressure;
 };

@@ -208,7 +208,7 @@ TEST_CASE("Plane stress: the stress of the solid whose thickness strain frees it
     CHECK(stress.yy == Approx(solid.stress()(1, 1)).epsilon(1e-9).margin(1));
     CHECK(stress.xy == Approx(solid.stress()(0, 1)).epsilon(1e-9).margin(1));
     CHECK(start + flow.increment(t) == Approx(solid.solid.state.internal[0]).epsilon(1e-9));
-    // The thickness strain is what Hooke's law and incompressible flow make of it: no stress.
+    // The thickness strain follows from Hooke's law and incompressible flow: no stress.
     const auto plastic = flow.plastic_strain(t);
     const double elastic_zz = low + plastic.xx + plastic.yy;
     const double out_of_plane =

@@ -121,9 +121,9 @@ TEST_CASE(
   }
   s.deform(Matrix3d::Identity());
   CHECK(s.membrane.strain[7] == Approx(0.02).epsilon(1e-12));
-  // Turned about the stretched axis x the local strain stays, turned about y it does not: (4.10)
-  // sees the fixed-axes strain in the turned frame, cos^2(angle) of it. That is the source's lack
-  // of objectivity.
+  // A rotation about the stretched axis x keeps the local strain, a rotation about y does not:
+  // (4.10) transforms the fixed-axes strain to the rotated frame and finds cos^2(angle) of it. The
+  // source's kinematics is not objective.
   for (int step = 1; step <= 100; ++step) {
     s.deform(Eigen::AngleAxisd(0.01 * step, Vector3d::UnitX()).toRotationMatrix());
   }
@@ -183,7 +183,7 @@ TEST_CASE(
 
 TEST_CASE("A failed point does not stretch its neighbours in objective kinematics") {
   SmallSheet s(true, Elastodamage{}, OneWay::stress);
-  // One point is pulled far out of the sheet: it and the six around it stretch; then it is gone.
+  // One point is pulled far out of the sheet: it and the six around it stretch until it fails.
   auto pulled = s.points.position;
   pulled[0][14] += 0.5e-5;
   s.membrane.update_stress(pulled, 1e-6, 1);

@@ -44,7 +44,7 @@ double met(const VonMises& law, double trial, double stiffness) {
 
 TEST_CASE("A von Mises strip that wrinkles: one axis of stress, none across") {
   for (double e : {0.01, 0.0185, 0.03, 0.06, 0.13}) {
-    // Across the strip the strain is far below -nu e, so wrinkles hang there.
+    // Across the strip the strain is far below -nu e, so the strip is wrinkled.
     SmallSheet s(true, gentle, OneWay::stress);
     for (int step = 1; step <= 10; ++step) s.strain(0.1 * step * e, -0.08 * step * e);
     const double expected = met(gentle, E * e, E * std::sqrt(2.0 / 3));
@@ -160,7 +160,7 @@ TEST_CASE("The zona's decohesion fails a point at once when it reaches its stren
       CHECK(s.largest_stress() == 0);
       CHECK(s.membrane.integrity.failure_time[3] == 2);
       s.strain(0.01, 0.01);
-      CHECK(s.largest_stress() == 0);  // never again
+      CHECK(s.largest_stress() == 0);  // failed for good
       CHECK(s.membrane.energy_density[5] >= 0);
 
       // It releases all that it stored: sigma^2/(2E), or twice sigma^2 (1 - nu)/(2E).

@@ -5,7 +5,7 @@
 #include "mpm/bodies/lattice.h"
 #include "mpm/membranes/membrane.h"
 
-/// A flat sheet of 6 x 5 points in the x-y plane, as soft as a zona, that deforms as it is told.
+/// A flat sheet of 6 x 5 points in the x-y plane, as soft as a zona, with prescribed deformation.
 struct SmallSheet {
   zona::mpm::MaterialPoints points;
   zona::mpm::Membrane membrane;
@@ -21,7 +21,7 @@ struct SmallSheet {
       : points(zona::mpm::make_points(s.places, std::vector<double>(s.places.size(), 1e-12))),
         membrane({1100, 8e-6, 17.9e3, 0.49, one_way}, law, objective, points, s.triangles) {}
 
-  /// Moves the points to f times their first places.
+  /// Moves the points to f times their initial positions.
   void deform(const Eigen::Matrix3d& f, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
     auto moved = points.position;
     for (int p = 0; p < points.size(); ++p) {
@@ -31,8 +31,7 @@ struct SmallSheet {
     time += 1;
     membrane.update_stress(moved, time, 1);
   }
-  /// Principal stretches less one along x and y, and shear: the strain that the points have then,
-  /// without turning.
+  /// Principal stretches minus one along x and y, and shear: strain of the points without rotation.
   void strain(double xx, double yy, double xy = 0) {
     Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
     f(0, 0) += xx;

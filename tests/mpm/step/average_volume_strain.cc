@@ -140,8 +140,8 @@ TEST_CASE("Averaging quiets the pressure of a vortex and makes it more accurate"
   const auto [error_averaged, scatter_averaged] = after(true);
   INFO("velocity error " << error << " -> " << error_averaged << ", scatter " << scatter << " -> "
                          << scatter_averaged);
-  // Eight cells a vortex, every point crosses some: 0.22 to 0.063 and 6.3 to 1.1 Pa. The pressure
-  // that belongs to the flow is 0.34 Pa.
+  // Eight cells per vortex, and every point crosses some: 0.22 to 0.063 and 6.3 to 1.1 Pa. The
+  // pressure of the exact flow is 0.34 Pa.
   CHECK(error_averaged < 0.07);
   CHECK(error_averaged < error / 3);
   CHECK(scatter_averaged < scatter / 5);
@@ -154,8 +154,8 @@ TEST_CASE("A rod moves through water in a closed box, which otherwise locks") {
     const double displaced = 1000 * 16 * std::pow(6e-6, 3);
     return totals(solver.body("water")).kinetic_energy / (0.5 * displaced * v * v);
   };
-  // The water that has to make way for a square rod in a box four times as wide weighs about twice
-  // what the rod displaces; sound in the box adds to its energy.
+  // The added mass of a square rod in a box four times as wide is about twice the displaced mass;
+  // sound in the box adds to the energy.
   const Solver free = rod_in_box(true), locked = rod_in_box(false);
   INFO(motion(free) << " with averaging, " << motion(locked) << " without");
   CHECK(motion(free) > 1);

@@ -3,8 +3,7 @@
 #include "mpm/bodies/lattice.h"
 #include "mpm/step/solver.h"
 
-/// A tube of n x 1 x 1 cells along x, walls that only slide: one-dimensional flow in three
-/// dimensions.
+/// A tube of n x 1 x 1 cells along x with sliding walls: one-dimensional flow in three dimensions.
 struct BarModel {
   zona::mpm::BackgroundGrid grid;
 

@@ -128,9 +128,9 @@ TEST_CASE("The energy of a closed box stays, if the mean pressure does the work"
     return (end.kinetic_energy + end.stored_energy - start.kinetic_energy - start.stored_energy) /
            start.kinetic_energy;
   };
-  // The noise of the pressure heats at first order in the step: by 43 % of the vortex' energy for
-  // linear functions, 2 % to 6 % for the others. What the mean pressure leaves is the noise that
-  // linear functions do not see, 5 %, and what mapping between points and grid takes, 0.4 %.
+  // Pressure noise heats at first order in the step: by 43 % of the vortex' energy for linear
+  // functions, 2 % to 6 % for the others. With the mean pressure 5 % remain from noise that linear
+  // functions do not see, and 0.4 % from mapping between points and grid.
   const double end = gained(EnergyIncrement::end_pressure);
   const double mean = gained(EnergyIncrement::mean_pressure);
   INFO(end << " with the end pressure, " << mean << " with the mean");
@@ -164,7 +164,7 @@ TEST_CASE("Water sways in a tank with its exact period for quadratic functions o
   CHECK(std::abs(fine - 1) < 0.02);
   CHECK(std::log2((coarse - 1) / (fine - 1)) > 1.8);
   CHECK(hardly < 0.005);
-  // The gradient of linear functions is the same all over a cell: until points cross, a node's
-  // pressure force knows nothing of where they are, and the tank never comes to rest.
+  // The gradient of linear functions is constant in a cell: until points cross cells, a node's
+  // pressure force does not depend on their positions, and the tank never comes to rest.
   CHECK(still_moving > 0.03);
 }

@@ -64,8 +64,8 @@ TEST_CASE("A blend with PIC keeps the momentum and loses motion, more of it the 
   INFO("left of the motion: FLIP " << motion(flip) / motion(start) << ", 5 % PIC "
                                    << motion(little) / motion(start) << ", PIC "
                                    << motion(all) / motion(start));
-  // FLIP keeps what the grid does not see; a PIC step leaves the points what the grid sees, less
-  // the smoothing of one more mapping.
+  // FLIP keeps motion that the grid does not see; a PIC step keeps what the grid sees, minus the
+  // smoothing of one more mapping.
   CHECK(motion(flip) > 0.99 * motion(start));
   CHECK(motion(little) < 0.05 * motion(start));
   CHECK(motion(all) < 1e-3 * motion(start));
@@ -112,7 +112,7 @@ TEST_CASE("Damping leaves reactions alone") {
   model.held.push_back({{{0, 0, 0}, {0, 0.05, 0.05}}, {true, true, true}, {}});
   model.numerics.damping = 0.7;
   Solver solver(std::move(model), 5e-5);
-  // 28 swings, of which 1e-8 of the weight is left (1e-6 after 20).
+  // After 28 oscillations 1e-8 of the weight is left (1e-6 after 20).
   while (solver.time() < 0.35) solver.step();
   CHECK(solver.held()[0].reaction.x() == Approx(-weight).epsilon(1e-6));
 }

@@ -128,7 +128,7 @@ double mean_impact_stress(F right, int cells) {
   return sum / count;
 }
 
-/// A smooth sound pulse runs into the right end: what comes back over what went in.
+/// Reflection of a smooth sound pulse at the right end, relative to the incident pulse.
 double reflected_fraction(F right, int empty_cells, Interpolation interpolation) {
   const WaterColumn column;
   const double length = 1, amplitude = 0.01;
@@ -147,7 +147,7 @@ double reflected_fraction(F right, int empty_cells, Interpolation interpolation)
   }
   model.bodies.push_back({"water", std::move(points), std::move(fluid), {}});
   Solver solver(std::move(model), 0.3 * column.h / column.c);
-  while (solver.time() < 1.0 / column.c) solver.step();  // there and back again
+  while (solver.time() < 1.0 / column.c) solver.step();  // to the end and back
   double largest = 0;
   const auto& body = solver.bodies()[0];
   for (double v : body.points.velocity[0]) largest = std::max(largest, std::abs(v));

@@ -183,7 +183,7 @@ TEST_CASE("Any number of threads gives the same bits") {
         check_same(one.bodies()[b], other->bodies()[b]);
       }
     }
-    // Not in vain: the laws have been at work.
+    // Make sure that the laws had an effect.
     const auto& plastic = std::get<Solid<VonMises>>(one.body("plastic").material).state;
     const auto& damaged = std::get<Solid<Elastodamage>>(one.body("damaged").material).state;
     CHECK(*std::max_element(plastic.internal.begin(), plastic.internal.end()) > 0);
