@@ -178,7 +178,7 @@ void Configuration::set_items(const std::string& list, std::vector<ItemHeading> 
 }
 
 std::string Table::name() const {
-  return is_auto("name") ? leaf(name_) : text("name");
+  return is_auto("name") ? studies::leaf(name_) : text("name");
 }
 
 void Configuration::set(const std::string& key, Setting setting) {
