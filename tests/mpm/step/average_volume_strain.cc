@@ -147,7 +147,7 @@ TEST_CASE("Averaging quiets the pressure of a vortex and makes it more accurate"
   CHECK(scatter_averaged < scatter / 5);
 }
 
-TEST_CASE("A rod moves through water in a closed box, which otherwise locks") {
+TEST_CASE("A rod moves through water in a closed box, which otherwise locks", "[long]") {
   const auto motion = [](const Solver& solver) {
     const auto& rod = solver.body("rod").points;
     const double v = rod.velocity[0][0];

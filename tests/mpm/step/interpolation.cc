@@ -154,7 +154,7 @@ TEST_CASE("Quadratic functions quiet the pressure of a vortex without averaging"
   CHECK(scatter_quadratic < 0.2 * scatter);
 }
 
-TEST_CASE("Water sways in a tank with its exact period for quadratic functions only") {
+TEST_CASE("Water sways in a tank with its exact period for quadratic functions only", "[long]") {
   const auto [coarse, moving] = Tank{8, Interpolation::quadratic}.standstill();
   const auto [fine, hardly] = Tank{16, Interpolation::quadratic}.standstill();
   const auto [linear, still_moving] = Tank{16, Interpolation::linear}.standstill();

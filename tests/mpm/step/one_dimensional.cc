@@ -63,7 +63,7 @@ TEST_CASE("The exact shock tube is the one of 4.4.1") {
   CHECK(exact.at(1.3).velocity == Approx(1.17954).epsilon(1e-5));
 }
 
-TEST_CASE("Shock tube of 4.4.1 converges to the exact solution") {
+TEST_CASE("Shock tube of 4.4.1 converges to the exact solution", "[long]") {
   // A captured shock converges at first order in L1. Beyond 200 cells linear functions stop
   // improving density and pressure: in the expansion, where points cross cells of other density.
   const TubeErrors coarse = shock_tube(100), fine = shock_tube(200), finest = shock_tube(400);
@@ -78,7 +78,7 @@ TEST_CASE("Shock tube of 4.4.1 converges to the exact solution") {
   CHECK(finest.pressure < fine.pressure);
 }
 
-TEST_CASE("Quadratic functions let the shock tube converge on") {
+TEST_CASE("Quadratic functions let the shock tube converge on", "[long]") {
   const TubeErrors coarse = shock_tube(100, Interpolation::quadratic);
   const TubeErrors fine = shock_tube(400, Interpolation::quadratic);
   const TubeErrors linear = shock_tube(400);
@@ -156,7 +156,7 @@ double reflected_fraction(F right, int empty_cells, Interpolation interpolation)
 
 }  // namespace
 
-TEST_CASE("Impact stress of Figure 5.13, whole tube and absorbing boundary") {
+TEST_CASE("Impact stress of Figure 5.13, whole tube and absorbing boundary", "[long]") {
   // Exact until the reflection from the far end arrives: -v Z1 Z2 / (Z1 + Z2), Z = rho c. The soft
   // piston is resolved by so few cells that the stress rings by more than its mean; what the grid
   // conserves is momentum, so the mean from the arrival on is exact up to the ringing's last,

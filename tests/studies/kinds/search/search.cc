@@ -474,7 +474,7 @@ TEST_CASE("what is wrong with a search is said at its key") {
       trouble_of("\"reference.toml\"", "\"" ZONA_SOURCE_DIR "/studies/piercing_lateral.toml\""),
       Contains("motion.kind"));
   CHECK_THAT(trouble_of("\"reference.toml\"", "\"" ZONA_SOURCE_DIR "/studies/vibration.toml\""),
-             Contains("vibration study"));
+             Contains("needs one of piercing"));
 }
 
 TEST_CASE("a search that finds nothing within the limits of the tip says so") {
