@@ -1,6 +1,6 @@
 #include "mpm/bodies/mixed_control.h"
 
-#include <Eigen/Dense>
+#include <Eigen/SVD>
 
 namespace zona::mpm {
 
@@ -51,8 +51,8 @@ class FreePart {
   Eigen::VectorXd strains_for(const Eigen::MatrixXd& stiffness,
                               const Eigen::VectorXd& stress) const {
     const double least = 1e-9 * start_.youngs_modulus();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(stiffness,
-                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(
+        stiffness, Eigen::ComputeThinU | Eigen::ComputeThinV);
     Eigen::VectorXd along = svd.matrixU().transpose() * stress;
     for (int i = 0; i < size(); ++i) {
       const double resistance = svd.singularValues()[i];

@@ -63,7 +63,7 @@ ut_system* unit_system() {
   return system;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
@@ -132,7 +132,7 @@ double convert(const std::string& number, double value, const ut_unit* from, con
 }  // namespace
 
 double parse_quantity(std::string_view text, const std::string& si_unit) {
-  const std::string_view quantity = trimmed(text);
+  const std::string_view quantity = without_blanks(text);
   const char* const end = quantity.data() + quantity.size();
   double number = 0;
   const bool plus = !quantity.empty() && quantity.front() == '+';
@@ -147,7 +147,7 @@ double parse_quantity(std::string_view text, const std::string& si_unit) {
         "\"{}\" is not a finite number; needs one that fits double precision", printable(text)));
   }
   const std::string unit_text =
-      with_ascii_micro(trimmed({rest, static_cast<std::size_t>(end - rest)}));
+      with_ascii_micro(without_blanks({rest, static_cast<std::size_t>(end - rest)}));
   if (unit_text.empty()) {
     throw UnitError(fmt::format("\"{}\" has no unit; needs a unit of {}, e.g. \"{}\"",
                                 printable(text), dimension_of(si_unit), example_of(si_unit)));

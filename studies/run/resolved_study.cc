@@ -19,20 +19,20 @@ std::string written(const Configuration& study, const std::string& key) {
 }
 
 /// A constant in SI, a formula as it is written.
-std::string si_item(const Setting& setting, const Parameter& parameter, std::size_t i) {
+std::string item_in_si(const Setting& setting, const Parameter& parameter, std::size_t i) {
   const bool is_formula = parameter.kind == Parameter::Kind::formula &&
                           !Formula(setting.texts[i], parameter).constant();
   return is_formula ? quoted_toml(setting.texts[i]) : fmt::format("{:.9g}", setting.numbers[i]);
 }
 
-std::string si_value(const Setting& setting, const Parameter& parameter) {
+std::string value_in_si(const Setting& setting, const Parameter& parameter) {
   const bool numeric =
       parameter.kind == Parameter::Kind::quantity || parameter.kind == Parameter::Kind::formula ||
       parameter.kind == Parameter::Kind::number || parameter.kind == Parameter::Kind::integer;
   if (!numeric || setting.is_auto) return setting.written.written();
   std::string numbers;
   for (std::size_t i = 0; i < setting.numbers.size(); ++i) {
-    numbers += (numbers.empty() ? "" : ", ") + si_item(setting, parameter, i);
+    numbers += (numbers.empty() ? "" : ", ") + item_in_si(setting, parameter, i);
   }
   if (parameter.is_list) numbers = "[" + numbers + "]";
   return parameter.unit.empty() ? numbers : numbers + " " + parameter.unit;
@@ -118,7 +118,7 @@ std::string si_table(const Configuration& study) {
     for (const std::string& key : study.keys_of(table)) {
       const Setting& setting = study.setting(key);
       rows.push_back(
-          {study.shown_key(key), si_value(setting, *study.schema().find(key)), origin(setting)});
+          {study.shown_key(key), value_in_si(setting, *study.schema().find(key)), origin(setting)});
       key_width = std::max(key_width, rows.back().key.size());
       const std::size_t width = rows.back().value.size();
       if (width <= 30) value_width = std::max(value_width, width);

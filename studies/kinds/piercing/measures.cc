@@ -62,7 +62,7 @@ Parameter& declare_averaged(Schema& schema, const std::string& key) {
       .doc("Bodies whose points are averaged together.");
 }
 
-void check_plate(const Table& probe, const Complain& complain) {
+void check_plate_exists(const Table& probe, const Complain& complain) {
   const Configuration& study = probe.study();
   const PiercingBody body = value_of(kBodies, probe.value(&ProbeTable::body));
   if (body != PiercingBody::plate || study.value(&Plate::enabled)) return;
@@ -75,7 +75,7 @@ void check_plate(const Table& probe, const Complain& complain) {
 void declare_piercing_measures(Schema& schema) {
   declare_measures(schema, {" Places count from the middle of the egg.", declare_probed,
                             declare_averaged, substance_of, simulation_end});
-  schema.check_each(schema.binding<ProbeTable>().section, check_plate);
+  schema.check_each(schema.binding<ProbeTable>().section, check_plate_exists);
 }
 
 }  // namespace zona::studies

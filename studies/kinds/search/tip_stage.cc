@@ -28,12 +28,12 @@ std::vector<double> objectives_of(const Plan& plan, const Values& values) {
 }
 
 /// Least value and range of each objective, by which weightings compare them.
-struct Scale {
+struct ObjectiveScale {
   std::vector<double> least, range;
 };
 
-Scale scale_of(const Plan& plan, const std::vector<Design>& designs) {
-  Scale scale;
+ObjectiveScale scale_of(const Plan& plan, const std::vector<Design>& designs) {
+  ObjectiveScale scale;
   for (const Measure* measure : plan.tip_objectives) {
     std::vector<double> values;
     for (const Design& design : designs) values.push_back(design.tip.at(measure->name));
@@ -63,7 +63,7 @@ class Explorer {
     }
   }
 
-  void optimise(const Scale& scale) {
+  void optimise(const ObjectiveScale& scale) {
     if (ranges_ == 0 || plan_.evaluations == 0 || designs_.empty()) return;
     for (const auto& weights : simplex_lattice(plan_.tip_objectives.size(), plan_.divisions)) {
       if (Interrupt::requested()) return;
@@ -155,7 +155,7 @@ TipStage explore(const Plan& plan, Session& session) {
   for (const auto& explorer : explorers)
     sampled.insert(sampled.end(), explorer->designs().begin(), explorer->designs().end());
   if (!sampled.empty()) {
-    const Scale scale = scale_of(plan, sampled);
+    const ObjectiveScale scale = scale_of(plan, sampled);
     for_all("beams: optimiser", [&](Explorer& explorer) { explorer.optimise(scale); });
   }
   TipStage stage;
