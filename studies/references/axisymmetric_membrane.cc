@@ -16,8 +16,6 @@ using Eigen::Matrix4d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-constexpr double pi = 3.14159265358979323846;
-
 Vector4d element_of(const VectorXd& x, int e) {
   return x.segment<4>(2 * e);
 }
@@ -82,7 +80,7 @@ void System::add_plate(int node, const VectorXd& x) {
   for (int e : {node - 1, node}) {
     if (e < 0 || e + 1 >= meridian_.nodes()) continue;
     const Vector4d r = element_of(home, e);
-    area += 0.5 * pi * (r[0] + r[2]) * (r.tail<2>() - r.head<2>()).norm();
+    area += 0.5 * M_PI * (r[0] + r[2]) * (r.tail<2>() - r.head<2>()).norm();
   }
   residual_[row] -= loads_.plate_stiffness * area * depth;
   add(row, row, loads_.plate_stiffness * area);

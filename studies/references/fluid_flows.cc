@@ -8,8 +8,6 @@ namespace zona::studies::references {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 void check(const SuddenWall& wall) {
   require_positive(wall.viscosity, "viscosity");
   require_positive(wall.density, "density");
@@ -26,12 +24,12 @@ double couette_by_images(const SuddenWall& wall, double gap, double y, double ti
 }
 
 double couette_by_modes(const SuddenWall& wall, double gap, double y, double time) {
-  const double rate = pi * pi * wall.kinematic_viscosity() / (gap * gap);
+  const double rate = M_PI * M_PI * wall.kinematic_viscosity() / (gap * gap);
   double sum = 0;
   for (int n = 1; n <= 40; ++n) {
-    sum += std::sin(n * pi * y / gap) / n * std::exp(-rate * n * n * time);
+    sum += std::sin(n * M_PI * y / gap) / n * std::exp(-rate * n * n * time);
   }
-  return wall.speed * (1 - y / gap - 2 / pi * sum);
+  return wall.speed * (1 - y / gap - 2 / M_PI * sum);
 }
 
 }  // namespace
@@ -46,7 +44,7 @@ double sudden_wall_velocity(const SuddenWall& wall, double y, double time) {
 double sudden_wall_stress(const SuddenWall& wall, double time) {
   check(wall);
   require_positive(time, "time: the stress at the start is infinite");
-  return wall.viscosity * wall.speed / std::sqrt(pi * wall.kinematic_viscosity() * time);
+  return wall.viscosity * wall.speed / std::sqrt(M_PI * wall.kinematic_viscosity() * time);
 }
 
 double couette_velocity(const SuddenWall& wall, double gap, double y, double time) {
@@ -61,7 +59,7 @@ double couette_velocity(const SuddenWall& wall, double gap, double y, double tim
 double StandingWave::wave_number() const {
   require_positive(length, "length");
   require(mode >= 1, "a standing wave has one half wave or more, not " + std::to_string(mode));
-  return mode * pi / length;
+  return mode * M_PI / length;
 }
 
 double StandingWave::decay_rate() const {

@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double pi = 3.14159265358979323846;
 /// What is left of the law without wrinkles. A tenth of it changes displacements by 1e-5.
 constexpr double least_share = 1e-4;
 
@@ -47,7 +46,7 @@ std::vector<double> node_angles(const IndentedEgg& egg, int elements) {
   std::vector<double> angles;
   for (int i = elements; i >= 0; --i) {
     const double t = std::sinh(grading * i / elements) / std::sinh(grading);
-    angles.push_back(rim + (pi - rim) * t);
+    angles.push_back(rim + (M_PI - rim) * t);
   }
   if (egg.pipette_inner > 0) {
     const double bore = std::asin(egg.pipette_inner / egg.radius);
@@ -72,14 +71,14 @@ EggModel build(const IndentedEgg& egg, int elements) {
     reference[2 * i] = pole ? 0 : egg.radius * std::sin(angles[i]);
     reference[2 * i + 1] = egg.radius * (1 + std::cos(angles[i]));
     const bool face = i == elements || (open && i == elements + 1);
-    const bool held = egg.support == EggSupport::held && angles[i] > pi / 2 &&
+    const bool held = egg.support == EggSupport::held && angles[i] > M_PI / 2 &&
                       reference[2 * i] <= egg.support_radius;
     unknown.push_back(pole || face || held ? -1 : count++);
     unknown.push_back(face ? model.loads.loaded : held ? -1 : count++);
   }
   if (open) model.touch = reference[2 * elements + 3];
   model.loads.filled = true;
-  model.loads.volume = 4 * pi / 3 * std::pow(egg.radius, 3);
+  model.loads.volume = 4 * M_PI / 3 * std::pow(egg.radius, 3);
   model.loads.bulk_modulus = egg.bulk_modulus;
   // Deep enough to hold up the pressure, some hundred Pa, at a nanometre or less.
   const double stiffness =
@@ -143,7 +142,7 @@ double energy_of(const EggModel& model, const VectorXd& position) {
   for (int e = 0; e + 1 < model.meridian.nodes(); ++e) {
     const MeridianStretch s = stretch_at(model.meridian, position, e);
     const double length = (home.segment<2>(2 * e + 2) - home.segment<2>(2 * e)).norm();
-    sum += pi * (home[2 * e] + home[2 * e + 2]) * length * stored_energy(law, s.along, s.around);
+    sum += M_PI * (home[2 * e] + home[2 * e + 2]) * length * stored_energy(law, s.along, s.around);
   }
   return sum;
 }

@@ -10,8 +10,6 @@ using Eigen::Matrix4d;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
-constexpr double pi = 3.14159265358979323846;
-
 PrincipalStresses blended(const MembraneLaw& law, double share, double along, double around) {
   PrincipalStresses s = principal_stresses(law, along, around);
   if (s.state == MembraneState::taut) return s;
@@ -42,7 +40,7 @@ double length_of(const MeridianElement& x) {
 
 /// Volume between a conical element and the axis: pi (z2 - z1)(r1^2 + r1 r2 + r2^2)/3.
 ElementQuantity element_volume(const Vector4d& x) {
-  const double a = x[0], b = x[2], dz = x[3] - x[1], third = pi / 3;
+  const double a = x[0], b = x[2], dz = x[3] - x[1], third = M_PI / 3;
   const double square = a * a + a * b + b * b, da = 2 * a + b, db = a + 2 * b;
   ElementQuantity q{third * dz * square, third * Vector4d(dz * da, -square, dz * db, square),
                     Matrix4d::Zero()};
@@ -117,7 +115,7 @@ ElementForces element_forces(const MembraneLaw& law, double unwrinkled_share,
     dp1 -= p1 / stretch1 * g1;
     dp2 -= p2 / stretch2 * g2;
   }
-  const double area = pi * radii * length;
+  const double area = M_PI * radii * length;
   return {area * (p1 * g1 + p2 * g2),
           area * (g1 * dp1.transpose() + g2 * dp2.transpose() + p1 * along.second)};
 }
