@@ -140,12 +140,6 @@ BeamSystem system_of(const Pipette& pipette, const Section& section, const BeamL
 
 }  // namespace
 
-bool LiquidLoads::has_bath(BathModel model) const {
-  return std::any_of(viscous.begin(), viscous.end(), [&](const ViscousLoad& load) {
-    return load.flow != Flow::within && load.model == model;
-  });
-}
-
 BeamSystem assemble(const Section& section, const BeamLayout& layout) {
   BeamSystem system;
   elements_library().assemble(section, layout, system);

@@ -64,7 +64,7 @@ TEST_CASE("cells are written beside clouds, wrong ones refused", "[frames]") {
   FrameWriter writer(scratch.path());
   const CellFields good{"cells", {{{0, 1, 2}, {0, 1}, {0, 1, 2, 3}}}, {{"a", {1, 2, 3, 4, 5, 6}}}};
   writer.add_frame(0, {}, {good});
-  const Hdf5File file = Hdf5File::openscratch / "fields.h5";
+  const Hdf5File file = Hdf5File::open(scratch / "fields.h5");
   CHECK(file.shape("/cells/000000/cells/fields/a") == std::vector<std::size_t>{3, 1, 2});
   CHECK(file.read<double>("/cells/000000/cells/z") == std::vector<double>{0, 1, 2, 3});
 
