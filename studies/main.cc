@@ -4,8 +4,13 @@
 #include <iostream>
 
 #include "studies/bench/bench.h"
-#include "studies/program/commands.h"
+#include "studies/program/check_study.h"
+#include "studies/program/exit_code.h"
+#include "studies/program/list_studies.h"
 #include "studies/program/reference.h"
+#include "studies/program/run_study.h"
+#include "studies/program/status.h"
+#include "studies/report/report.h"
 #include "studies/run/provenance.h"
 #include "studies/verification/verify.h"
 

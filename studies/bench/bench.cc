@@ -14,7 +14,7 @@
 #include "studies/bench/step_model.h"
 #include "studies/bench/stream.h"
 #include "studies/input/input_error.h"
-#include "studies/program/commands.h"
+#include "studies/program/exit_code.h"
 #include "studies/run/version.h"
 
 namespace zona::studies::bench {

@@ -12,7 +12,7 @@
 #include "beam/pipette/fluid.h"
 #include "beam/system/beam_system.h"
 #include "beam/time/integrate.h"
-#include "studies/program/commands.h"
+#include "studies/program/exit_code.h"
 
 namespace zona::studies::bench {
 

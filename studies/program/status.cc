@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studies/input/input_error.h"
-#include "studies/program/commands.h"
+#include "studies/program/exit_code.h"
 #include "studies/run/file_lock.h"
 #include "studies/run/progress.h"
 #include "studies/simulation/checkpoints.h"

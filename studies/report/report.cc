@@ -2,8 +2,9 @@
 
 #include "studies/input/input_error.h"
 #include "studies/program/bundled_studies.h"
-#include "studies/program/commands.h"
+#include "studies/program/exit_code.h"
 #include "studies/program/python_script.h"
+#include "studies/report/report.h"
 
 namespace zona::studies {
 

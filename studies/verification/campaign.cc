@@ -15,7 +15,7 @@
 
 #include "studies/kinds/study_kinds.h"
 #include "studies/program/bundled_studies.h"
-#include "studies/program/commands.h"
+#include "studies/program/compute_study.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/parallel.h"
 #include "studies/run/progress.h"

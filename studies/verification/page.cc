@@ -39,7 +39,7 @@ double cost(const CaseReport& report) {
 std::string headline(const CaseReport& report) {
   std::string text;
   for (const Check& check : report.evaluation.checks) {
-    if (check.verdict == Verdict::told) continue;
+    if (check.verdict == Verdict::reported) continue;
     const std::string figure =
         check.error.empty() || check.quantity.rfind("order", 0) == 0 ? check.value : check.error;
     text += fmt::format("{}{}: {}{}", text.empty() ? "" : "<br>", check.quantity, figure,
@@ -115,8 +115,9 @@ std::string verification_page(const std::vector<CaseReport>& reports, Extent ext
       "# Verification\n\nWritten by `zona verify{}` of zona {} ({}); do not edit. {} cases: {} "
       "passed, {} failed. All runs together took {}.\n\nEvery case is a study file that can be "
       "copied and changed; a case only compares what its runs wrote with its reference. \"The "
-      "source\" is the dissertation whose equation, table and figure numbers are quoted. \"told\" "
-      "is reported without a limit.\n\n",
+      "source\" is the dissertation whose equation, table and figure numbers are quoted. "
+      "\"reported\" "
+      "has no limit.\n\n",
       extent == Extent::quick ? " --quick" : "", zona_version(), compiler_version(), reports.size(),
       count(reports, Verdict::passed), count(reports, Verdict::failed), duration_text(seconds));
   text += overview(reports);

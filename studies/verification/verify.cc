@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "studies/input/nearest.h"
-#include "studies/program/commands.h"
+#include "studies/program/exit_code.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/progress.h"
 #include "studies/verification/campaign.h"

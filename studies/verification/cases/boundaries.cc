@@ -64,9 +64,9 @@ Evaluation evaluate_piston(const CaseResults& results, Extent) {
       "difference of the means with and without the tube behind the face, over the stress",
       std::abs(mean(panel.curves[0], 57, 500) - mean(panel.curves[1], 57, 500)) / std::abs(exact),
       0.02, "what an absorbing face may send back"));
-  evaluation.checks.push_back(told("mean stress with a free face [MPa]",
-                                   mean(panel.curves[2], 300, 500), "0",
-                                   "all of the wave comes back"));
+  evaluation.checks.push_back(reported("mean stress with a free face [MPa]",
+                                       mean(panel.curves[2], 300, 500), "0",
+                                       "all of the wave comes back"));
   evaluation.figures.push_back({"stress", "Figure 5.13: stress at p.", {panel}, {}});
   evaluation.remarks = {
       "The piston's wave takes a third of a cell's crossing time of the water: at the source's "
@@ -168,8 +168,8 @@ Evaluation evaluate_oblique(const CaseResults& results, Extent extent) {
     if (angle == 0) {
       const double fine = reflected_fraction(results[oblique_label(0, 5)], 0);
       evaluation.checks.push_back(
-          told(quantity + ", cells of 10 mm", computed, fmt::format("{:.3g} with 5 mm", fine),
-               "tractions act at nodes, half a cell's mass beside the points'"));
+          reported(quantity + ", cells of 10 mm", computed, fmt::format("{:.3g} with 5 mm", fine),
+                   "tractions act at nodes, half a cell's mass beside the points'"));
       evaluation.checks.push_back(
           at_most(quantity + ", cells of 5 mm", fine, 0.02, "a pulse of 12 cells half width"));
       continue;

@@ -98,8 +98,8 @@ Evaluation evaluate_net(const CaseResults& results, Extent extent) {
     errors.push_back(
         distance(panel.curves.back(), summed.deepest_time * 1e3, reference_of(summed)));
     evaluation.checks.push_back(
-        told("mean distance from the string until the deepest point, " + label, errors.back(),
-             "none", "over the depth"));
+        reported("mean distance from the string until the deepest point, " + label, errors.back(),
+                 "none", "over the depth"));
   }
   const auto deepest = [](const Curve& curve) {
     return *std::min_element(curve.y.begin(), curve.y.end());
@@ -114,9 +114,9 @@ Evaluation evaluate_net(const CaseResults& results, Extent extent) {
                                    extent == Extent::quick ? 0.1 : 0.05, "as above"));
   for (const Curve& curve : energies.curves) {
     evaluation.checks.push_back(
-        told("largest energy over that of the impact, source kinematics, " + curve.label,
-             *std::max_element(curve.y.begin(), curve.y.end()), "1",
-             "half stress times summed strain is no energy: twice the work at small slopes"));
+        reported("largest energy over that of the impact, source kinematics, " + curve.label,
+                 *std::max_element(curve.y.begin(), curve.y.end()), "1",
+                 "half stress times summed strain is no energy: twice the work at small slopes"));
   }
   energies.curves.push_back(energy_curve(results["objective"], "objective", energy));
   const auto& kept = energies.curves.back().y;
@@ -215,14 +215,14 @@ Evaluation evaluate_box(const CaseResults& results, Extent extent) {
     const std::string label = fmt::format("cell-{}mm", cell);
     panel.curves.push_back(history_curve(results[label], label, "cube"));
     energies.curves.push_back(box_energy(results[label], label));
-    evaluation.checks.push_back(
-        told("energy gained over the gas' work, source kinematics, " + label,
-             energies.curves.back().y.back(), "0", "half stress times summed strain is no energy"));
+    evaluation.checks.push_back(reported(
+        "energy gained over the gas' work, source kinematics, " + label,
+        energies.curves.back().y.back(), "0", "half stress times summed strain is no energy"));
     cells.push_back(cell);
     errors.push_back(distance(panel.curves.back(), 30, reference));
     evaluation.checks.push_back(
-        told("mean distance from the model over its largest value, " + label, errors.back(), "none",
-             "0 to 30 ms"));
+        reported("mean distance from the model over its largest value, " + label, errors.back(),
+                 "none", "0 to 30 ms"));
   }
   const std::string summed_label = fmt::format("cell-{}mm", summed_cell(extent));
   const Curve total = history_curve(results[summed_label], "total strains", "cube");

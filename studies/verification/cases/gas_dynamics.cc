@@ -82,7 +82,7 @@ std::vector<int> refinements(Extent extent) {
                                  : std::vector<int>{100, 200, 400, 800};
 }
 
-/// The L1 orders from 100 to 200 cells must be near one; what follows is told.
+/// The L1 orders from 100 to 200 cells must be near one; what follows is reported.
 void check_orders(const CaseResults& results, const std::string& prefix,
                   const RiemannSolution& exact, double time, Extent extent, double order,
                   Evaluation& evaluation) {
@@ -101,10 +101,10 @@ void check_orders(const CaseResults& results, const std::string& prefix,
                           : "captured shocks: 1, less what the artificial viscosity spreads"));
       }
       if (sizes.size() > 2) {
-        evaluation.checks.push_back(
-            told(fmt::format("L1 error of {}, {}{}", quantity.name, prefix, cells), errors.back(),
-                 fmt::format("{:.3g} at half the cells", errors[errors.size() - 2]),
-                 "beyond 200 cells linear functions stop converging at the contact"));
+        evaluation.checks.push_back(reported(
+            fmt::format("L1 error of {}, {}{}", quantity.name, prefix, cells), errors.back(),
+            fmt::format("{:.3g} at half the cells", errors[errors.size() - 2]),
+            "beyond 200 cells linear functions stop converging at the contact"));
       }
     }
   }
@@ -144,11 +144,11 @@ Evaluation evaluate_tube(const CaseResults& results, Extent extent) {
   const RunResults& inviscid = results["inviscid"];
   for (const Quantity& quantity : quantities()) {
     for (const int cells : {2, 4}) {
-      evaluation.checks.push_back(
-          told(fmt::format("L1 error of {}, means over {} cells", quantity.name, cells),
-               l1(viscous, fmt::format("cells_{}", cells), quantity, exact, source_end),
-               fmt::format("{:.3g} over one", l1(viscous, "cells_1", quantity, exact, source_end)),
-               "Figures 4.13 and 4.14"));
+      evaluation.checks.push_back(reported(
+          fmt::format("L1 error of {}, means over {} cells", quantity.name, cells),
+          l1(viscous, fmt::format("cells_{}", cells), quantity, exact, source_end),
+          fmt::format("{:.3g} over one", l1(viscous, "cells_1", quantity, exact, source_end)),
+          "Figures 4.13 and 4.14"));
     }
   }
   const auto largest = [&](const RunResults& run, const char* column) {
@@ -157,11 +157,12 @@ Evaluation evaluate_tube(const CaseResults& results, Extent extent) {
       value = std::max(value, sample.value);
     return value;
   };
-  evaluation.checks.push_back(told("largest density without artificial viscosity [kg/m^3]",
-                                   largest(inviscid, "density"), "578 (Figure 4.11)",
-                                   "0.73 behind the exact shock"));
-  evaluation.checks.push_back(told("largest density with it [kg/m^3]", largest(viscous, "density"),
-                                   "1 (exact, undisturbed gas)", "Figure 4.12"));
+  evaluation.checks.push_back(reported("largest density without artificial viscosity [kg/m^3]",
+                                       largest(inviscid, "density"), "578 (Figure 4.11)",
+                                       "0.73 behind the exact shock"));
+  evaluation.checks.push_back(reported("largest density with it [kg/m^3]",
+                                       largest(viscous, "density"), "1 (exact, undisturbed gas)",
+                                       "Figure 4.12"));
   evaluation.figures = {
       tube_figure("viscous", "Figure 4.12: with artificial viscosity, means over one cell.",
                   viscous, "cells_1", exact, source_end),

@@ -109,14 +109,14 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
     const bool of_averaged = label.rfind("averaged-p-", 0) == 0;
     if (of_sweep) sweep.push_back(settled(curve));
     if (of_averaged) averaged.push_back(settled(curve));
-    evaluation.checks.push_back(told("mean displacement [um], " + label, settled(curve),
-                                     of_sweep ? table_5_1(injection.pascals) : "none",
-                                     "second half of the run; experiment: 7.466"));
+    evaluation.checks.push_back(reported("mean displacement [um], " + label, settled(curve),
+                                         of_sweep ? table_5_1(injection.pascals) : "none",
+                                         "second half of the run; experiment: 7.466"));
     (of_sweep || of_averaged ? pressures : others).curves.push_back(std::move(curve));
   }
   if (!sweep.empty()) {
-    evaluation.checks.push_back(told("spread over P_infinity, as the source", spread(sweep), "0.41",
-                                     "(Table 5.1); of noise in pressures that lock"));
+    evaluation.checks.push_back(reported("spread over P_infinity, as the source", spread(sweep),
+                                         "0.41", "(Table 5.1); of noise in pressures that lock"));
   }
   evaluation.checks.push_back(at_most(
       "spread over P_infinity, averaged volumetric strain", spread(averaged), 0.02,
@@ -130,11 +130,12 @@ Evaluation evaluate_injection(const CaseResults& results, Extent extent) {
   auto summed_egg = references::egg_of_the_source();
   summed_egg.summed = true;
   const auto summed = references::indent_egg(summed_egg, {0.5e-6}).back();
-  evaluation.checks.push_back(told("equilibrium of a membrane full of fluid on a plate [um]",
-                                   egg.displacement * 1e6, "7.466 (experiment)",
-                                   fmt::format("axisymmetric, by Newton's method; {:.3g} with the "
-                                               "source's summed strains; pressure {:.3g} Pa",
-                                               summed.displacement * 1e6, egg.pressure)));
+  evaluation.checks.push_back(
+      reported("equilibrium of a membrane full of fluid on a plate [um]", egg.displacement * 1e6,
+               "7.466 (experiment)",
+               fmt::format("axisymmetric, by Newton's method; {:.3g} with the "
+                           "source's summed strains; pressure {:.3g} Pa",
+                           summed.displacement * 1e6, egg.pressure)));
   const bool quick = extent == Extent::quick;
   const Curve limit{"experiment", {0, quick ? 120. : 250.}, {experiment, experiment}, Style::limit};
   pressures.curves.push_back(limit);

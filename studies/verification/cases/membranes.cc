@@ -75,9 +75,9 @@ Evaluation evaluate_strip(const CaseResults& results, Extent) {
            1 / (1 - law.poisson_ratio * law.poisson_ratio), 0.05,
            "while it is pulled, at 0.9 s: not yet at rest"));
   evaluation.checks.push_back(
-      told("its lateral contraction over its elongation",
-           (1 - stretch(source, "below", "above", "y", 0.2)) / (along - 1), "0.3",
-           "grows without end: the law pulls a strip together with nu times its stress"));
+      reported("its lateral contraction over its elongation",
+               (1 - stretch(source, "below", "above", "y", 0.2)) / (along - 1), "0.3",
+               "grows without end: the law pulls a strip together with nu times its stress"));
   const RunResults& wrinkled = results["wrinkled"];
   const double stretched = stretch(wrinkled, "left", "right", "x", 0.4);
   evaluation.checks.push_back(
@@ -168,16 +168,16 @@ Evaluation evaluate_sphere(const CaseResults& results, Extent extent) {
   }
   for (std::size_t i = 0; i < cells.size(); ++i) {
     evaluation.checks.push_back(
-        told(fmt::format("error of the growth, cells of {:g} R", cells[i]), errors[i], "0",
-             "the largest part is what the pressure and the membrane lose in the cells"));
+        reported(fmt::format("error of the growth, cells of {:g} R", cells[i]), errors[i], "0",
+                 "the largest part is what the pressure and the membrane lose in the cells"));
   }
   for (const std::string label : {"cell-0.25", "linear"}) {
     const RunResults& run = results[label];
     evaluation.checks.push_back(
-        told("kinetic over stored energy at the end, " + label,
-             last(run, "kinetic_energy") / last(run, "stored_energy"), "0",
-             "at rest it is zero; with linear functions noise of the points "
-             "grows"));
+        reported("kinetic over stored energy at the end, " + label,
+                 last(run, "kinetic_energy") / last(run, "stored_energy"), "0",
+                 "at rest it is zero; with linear functions noise of the points "
+                 "grows"));
   }
   evaluation.remarks = {
       "With linear shape functions the points of a free membrane, many in a cell, pick up noise "
@@ -255,15 +255,15 @@ Evaluation evaluate_bending(const CaseResults& results, Extent) {
       "an edge layer of one cell, 1/20 of the height, carries a quarter of the moment; where the "
       "edge "
       "is, the cell does not know";
-  evaluation.checks.push_back(told("moment over tension and height", moment / force,
-                                   "1/6 wrinkles, 1/2 collapses", "of the mid-section"));
+  evaluation.checks.push_back(reported("moment over tension and height", moment / force,
+                                       "1/6 wrinkles, 1/2 collapses", "of the mid-section"));
   evaluation.checks.push_back(
       near("moment at this curvature [N m]", moment, exact_moment, 0.125, origin));
   evaluation.checks.push_back(
       within("height of the wrinkled band [m]", band, exact.band, 0.05, "slices of 0.05"));
-  evaluation.checks.push_back(told("largest stress of a slice [Pa]", peak,
-                                   fmt::format("{:.4g} at the edge", exact.largest_stress),
-                                   "the outermost slice lies half of its 0.05 from the edge"));
+  evaluation.checks.push_back(reported("largest stress of a slice [Pa]", peak,
+                                       fmt::format("{:.4g} at the edge", exact.largest_stress),
+                                       "the outermost slice lies half of its 0.05 from the edge"));
   Curve computed{"computed", {}, {}, Style::points},
       reference{"Stein and Hedgepeth", {}, {}, Style::reference};
   const bool lower_tense = lower > upper;

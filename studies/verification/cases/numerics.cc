@@ -110,8 +110,8 @@ Evaluation evaluate_vortex(const CaseResults& results, Extent extent) {
       errors.x.push_back(cells);
       errors.y.push_back(vortex_pressure_error(run));
       evaluation.checks.push_back(
-          told(fmt::format("mean error of the velocity [m/s], {}, {} cells", variant, cells),
-               vortex_error(run), "1 at the start", "across the middle of the box, t = 0.5 s"));
+          reported(fmt::format("mean error of the velocity [m/s], {}, {} cells", variant, cells),
+                   vortex_error(run), "1 at the start", "across the middle of the box, t = 0.5 s"));
     }
     pressures.curves.push_back(std::move(errors));
     Curve curve{variant, {}, {}, Style::points};
@@ -135,11 +135,11 @@ Evaluation evaluate_vortex(const CaseResults& results, Extent extent) {
                                       ratio("averaged", vortex_error), 0.5, offered));
   for (const int cells : vortex_cells(extent)) {
     evaluation.checks.push_back(
-        told(fmt::format("energy gained over the motion's, source, {} cells", cells),
-             vortex_gain(results[vortex_label("source", cells)]),
-             fmt::format("{:.3g} with the mean pressure",
-                         vortex_gain(results[vortex_label("mean-pressure", cells)])),
-             "the box is closed: 0 is exact. Noise of the pressure becomes heat"));
+        reported(fmt::format("energy gained over the motion's, source, {} cells", cells),
+                 vortex_gain(results[vortex_label("source", cells)]),
+                 fmt::format("{:.3g} with the mean pressure",
+                             vortex_gain(results[vortex_label("mean-pressure", cells)])),
+                 "the box is closed: 0 is exact. Noise of the pressure becomes heat"));
   }
   evaluation.checks.push_back(
       at_most("|energy gained| with quadratic functions and the mean pressure, 16 cells",
@@ -207,7 +207,7 @@ Evaluation evaluate_drift(const CaseResults& results, Extent extent) {
       const auto samples = drift_stress(results[fmt::format("{}-{}", functions, cells)]);
       sizes.push_back(1.0 / cells);
       errors.push_back(references::profile_errors(samples, drift_exact).l2 / swing_speed);
-      evaluation.checks.push_back(told(
+      evaluation.checks.push_back(reported(
           fmt::format("error of the stress over its amplitude, {}, {} cells", functions, cells),
           errors.back(), "none", "root mean square; the bar drifted by 0.44 m"));
       if (cells != drift_cells(extent).back()) continue;
@@ -222,9 +222,9 @@ Evaluation evaluate_drift(const CaseResults& results, Extent extent) {
       evaluation.checks.push_back(converges("the stress, quadratic", sizes, errors, 1.7,
                                             "second order; its free ends cut cells"));
     } else {
-      evaluation.checks.push_back(
-          told("order of the stress, linear", references::observed_order(sizes, errors),
-               "2 at rest", "the gradient jumps where a point crosses, by as much in small cells"));
+      evaluation.checks.push_back(reported(
+          "order of the stress, linear", references::observed_order(sizes, errors), "2 at rest",
+          "the gradient jumps where a point crosses, by as much in small cells"));
     }
   }
   Curve exact{"exact", {}, {}, Style::reference};
@@ -275,10 +275,10 @@ Evaluation evaluate_hanging(const CaseResults& results, Extent) {
     const double error = references::profile_errors(samples, exact).largest;
     const std::string quantity = "largest error of the static stress over the weight, " + label;
     if (label == "pic") {
-      evaluation.checks.push_back(
-          told(quantity, error, "0",
-               "PIC acts in every step, most on what changes from cell to cell; the slow swing of "
-               "the whole bar it leaves for long"));
+      evaluation.checks.push_back(reported(
+          quantity, error, "0",
+          "PIC acts in every step, most on what changes from cell to cell; the slow swing of "
+          "the whole bar it leaves for long"));
       continue;
     }
     evaluation.checks.push_back(at_most(

@@ -59,7 +59,8 @@ void tell_pattern(const std::string& name, const RunResults& run, Evaluation& ev
   const auto& pattern = run.results().at("failure_pattern");
   const auto micrometres = [&](const char* key) { return pattern.at(key).get<double>() * 1e6; };
   const auto tell = [&](const char* what, double value, const char* meaning) {
-    evaluation.checks.push_back(told(fmt::format("{}: {}", name, what), value, "none", meaning));
+    evaluation.checks.push_back(
+        reported(fmt::format("{}: {}", name, what), value, "none", meaning));
   };
   tell("failed area [um^2]", square_micrometres(run), "undeformed area of the failed points");
   tell("length of the band [um]", micrometres("y_high") - micrometres("y_low"),
@@ -112,10 +113,10 @@ Evaluation evaluate_lateral(const CaseResults& results, Extent extent) {
     }
     if (extent == Extent::full) {
       evaluation.checks.push_back(
-          told(fmt::format("largest over smallest failed area, 6 to 4 um, {}", law),
-               dependence_on_cells(results, law, extent, 6),
-               law == "decohesion" ? "\"independent of the mesh\"" : "\"mesh-dependent\"",
-               "1 would be independence"));
+          reported(fmt::format("largest over smallest failed area, 6 to 4 um, {}", law),
+                   dependence_on_cells(results, law, extent, 6),
+                   law == "decohesion" ? "\"independent of the mesh\"" : "\"mesh-dependent\"",
+                   "1 would be independence"));
     }
     areas.panels.push_back(area_over_time(results, law, extent));
     evaluation.figures.push_back(std::move(pictures));
@@ -192,9 +193,9 @@ void bracket(const CaseResults& results, const Scan& scan, Evaluation& evaluatio
     curve.x.push_back(peak);
     curve.y.push_back(square_micrometres(run));
   }
-  evaluation.checks.push_back(told("axial peak at which failure begins [um], " + name, fails,
-                                   "none",
-                                   fmt::format("nothing fails at {} um; cells of 9 um", holds)));
+  evaluation.checks.push_back(
+      reported("axial peak at which failure begins [um], " + name, fails, "none",
+               fmt::format("nothing fails at {} um; cells of 9 um", holds)));
   panel.curves.push_back(std::move(curve));
 }
 
@@ -208,9 +209,10 @@ Evaluation evaluate_axial(const CaseResults& results, Extent extent) {
                                         "the source: an axial pulse of 1.8 um pierces nothing"));
     const ResultTable history = run.table("history.csv");
     const auto& strain = history["largest_strain"];
-    evaluation.checks.push_back(told(fmt::format("largest strain at 1.8 um, {}", law),
-                                     *std::max_element(strain.begin(), strain.end()),
-                                     "0.05937 damages", "largest principal strain of the zona"));
+    evaluation.checks.push_back(reported(fmt::format("largest strain at 1.8 um, {}", law),
+                                         *std::max_element(strain.begin(), strain.end()),
+                                         "0.05937 damages",
+                                         "largest principal strain of the zona"));
     evaluation.figures.push_back({law,
                                   fmt::format("The axial pulse of 1.8 um, {}.", law),
                                   {},
@@ -302,7 +304,8 @@ Evaluation evaluate_numerics(const CaseResults& results, Extent extent) {
     if (!is_taken(name, extent)) continue;
     const RunResults& run = results[name];
     const auto tell = [&](const char* what, double value, const char* meaning) {
-      evaluation.checks.push_back(told(fmt::format("{}: {}", name, what), value, "none", meaning));
+      evaluation.checks.push_back(
+          reported(fmt::format("{}: {}", name, what), value, "none", meaning));
     };
     tell("noise of the force [uN]", force_noise(run) * 1e6, "from sample to sample");
     tell("range of pressure in the cytoplasm [kPa]", pressure_range(run) / 1e3, "cell averages");
@@ -329,9 +332,9 @@ Evaluation evaluate_numerics(const CaseResults& results, Extent extent) {
   evaluation.checks.push_back(at_most("noise of the force over the source's, recommended",
                                       ratio("recommended", force_noise), 0.5, offered));
   if (is_taken("averaged", extent)) {
-    evaluation.checks.push_back(told("range of pressure over the source's, averaged",
-                                     ratio("averaged", pressure_range), "1",
-                                     "0.4 with cells of 9 um and 8 points, 1.0 with 6 um and 27"));
+    evaluation.checks.push_back(
+        reported("range of pressure over the source's, averaged", ratio("averaged", pressure_range),
+                 "1", "0.4 with cells of 9 um and 8 points, 1.0 with 6 um and 27"));
   }
   evaluation.checks.push_back(at_most("|energy beyond the work| over the source's, mean pressure",
                                       ratio("mean-pressure", energy_excess), 0.5, offered));

@@ -75,10 +75,10 @@ Evaluation evaluate_impact(const CaseResults& results, Extent extent) {
     const ResultTable history = result.table("history.csv");
     const double error = impact_error(result, impact, distance, window.end());
     evaluation.checks.push_back(
-        told(fmt::format("mean error until the first release over the plateau, {}", label(run)),
-             error, "none",
-             fmt::format("plateau {:.1f} MPa from {:.2f} to {:.2f} us", plateau / 1e6,
-                         window.arrival * 1e6, window.end() * 1e6)));
+        reported(fmt::format("mean error until the first release over the plateau, {}", label(run)),
+                 error, "none",
+                 fmt::format("plateau {:.1f} MPa from {:.2f} to {:.2f} us", plateau / 1e6,
+                             window.arrival * 1e6, window.end() * 1e6)));
     if (run.across == 1) {
       cells.push_back(run.cell);
       cell_errors.push_back(error);
@@ -104,9 +104,9 @@ Evaluation evaluate_impact(const CaseResults& results, Extent extent) {
   evaluation.checks.push_back(converges("the stress with the cells", cells, cell_errors, 0.5,
                                         "a front in L1: between 1/2 and 1"));
   evaluation.checks.push_back(
-      told("order of the stress with the points' spacing",
-           references::observed_order(spacings, point_errors), "none",
-           "the cells stay: the front keeps their width, so no order is due"));
+      reported("order of the stress with the points' spacing",
+               references::observed_order(spacings, point_errors), "none",
+               "the cells stay: the front keeps their width, so no order is due"));
   evaluation.figures.push_back(
       {"stress", "Figure 3.5: normal stress at point A.", {mesh, points}, {}});
   return evaluation;
@@ -194,7 +194,7 @@ Evaluation evaluate_bar(const CaseResults& results, Extent extent) {
     for (const int points : {1, 27, 125}) {
       panel.curves.push_back(computed_bar(results[fmt::format("points-{}", points)],
                                           fmt::format("{} per cell", points), time));
-      evaluation.checks.push_back(told(
+      evaluation.checks.push_back(reported(
           fmt::format("mean error at {} L/c over 200 MPa, {} points per cell", fraction, points),
           bar_error(results[fmt::format("points-{}", points)], bar, fraction), "none",
           "fronts over a few of the 50 cells"));
@@ -207,14 +207,14 @@ Evaluation evaluate_bar(const CaseResults& results, Extent extent) {
       }
       const std::string quantity = fmt::format("the stress at {} L/c, {}", fraction, functions);
       evaluation.checks.push_back(
-          told(fmt::format("mean error at {} L/c over 200 MPa, {}, cells of {} m", fraction,
-                           functions, cells.back()),
-               errors.back(), fmt::format("{:.3g} with {} m", errors.front(), cells.front()),
-               "27 points a cell"));
+          reported(fmt::format("mean error at {} L/c over 200 MPa, {}, cells of {} m", fraction,
+                               functions, cells.back()),
+                   errors.back(), fmt::format("{:.3g} with {} m", errors.front(), cells.front()),
+                   "27 points a cell"));
       if (functions == "linear") {
         evaluation.checks.push_back(
-            told("order of " + quantity, references::observed_order(cells, errors), "1/2",
-                 "noise of points at the pulled ends that cross cells runs into the bar"));
+            reported("order of " + quantity, references::observed_order(cells, errors), "1/2",
+                     "noise of points at the pulled ends that cross cells runs into the bar"));
       } else {
         evaluation.checks.push_back(
             converges(quantity, cells, errors, 0.35,

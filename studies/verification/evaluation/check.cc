@@ -73,9 +73,9 @@ Check converges(const std::string& quantity, const std::vector<double>& sizes,
           pass_if(observed >= order)};
 }
 
-Check told(const std::string& quantity, double value, const std::string& reference,
-           const std::string& meaning) {
-  return {quantity, shown(value), reference, "", "", meaning, Verdict::told};
+Check reported(const std::string& quantity, double value, const std::string& reference,
+               const std::string& meaning) {
+  return {quantity, shown(value), reference, "", "", meaning, Verdict::reported};
 }
 
 Verdict verdict_of(const std::vector<Check>& checks) {
@@ -91,8 +91,8 @@ std::string word(Verdict verdict) {
       return "pass";
     case Verdict::failed:
       return "FAIL";
-    case Verdict::told:
-      return "told";
+    case Verdict::reported:
+      return "reported";
   }
   throw std::logic_error("unreachable");
 }

@@ -8,7 +8,7 @@ namespace zona::studies::verification {
 enum class Verdict {
   passed,
   failed,
-  told  ///< reported without a limit
+  reported  ///< reported without a limit
 };
 
 /// One line of the verification table.
@@ -17,7 +17,7 @@ struct Check {
   std::string value;      ///< as shown
   std::string reference;  ///< what it is held against, as shown
   std::string error;      ///< as shown; empty where there is none
-  std::string limit;      ///< of the error or value; empty when only told
+  std::string limit;      ///< of the error or value; empty when only reported
   std::string origin;     ///< where the limit comes from, or what the value means
   Verdict verdict;
 };
@@ -36,12 +36,12 @@ Check at_least(const std::string& quantity, double value, double limit, const st
 Check converges(const std::string& quantity, const std::vector<double>& sizes,
                 const std::vector<double>& errors, double order, const std::string& origin);
 /// Reported beside a reference, without a verdict; `reference` may be "none".
-Check told(const std::string& quantity, double value, const std::string& reference,
-           const std::string& meaning);
+Check reported(const std::string& quantity, double value, const std::string& reference,
+               const std::string& meaning);
 
 /// failed if any check failed, else passed.
 Verdict verdict_of(const std::vector<Check>& checks);
-/// "pass", "FAIL", "told".
+/// "pass", "FAIL", "reported".
 std::string word(Verdict verdict);
 
 }  // namespace zona::studies::verification

@@ -9,7 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "studies/program/commands.h"
+#include "studies/program/exit_code.h"
+#include "studies/program/run_study.h"
 #include "studies/run/history_file.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/progress.h"

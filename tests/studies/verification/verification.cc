@@ -25,8 +25,8 @@ TEST_CASE("checks pass and fail at their limits") {
   CHECK(within("a", -0.6, 0, 0.5, "").verdict == Verdict::failed);
   CHECK(at_most("a", NAN, 1, "").verdict == Verdict::failed);
   CHECK(at_least("a", 1, 1, "").verdict == Verdict::passed);
-  CHECK(verdict_of({told("a", 1, "none", "")}) == Verdict::passed);
-  CHECK(verdict_of({told("a", 1, "none", ""), at_most("a", 2, 1, "")}) == Verdict::failed);
+  CHECK(verdict_of({reported("a", 1, "none", "")}) == Verdict::passed);
+  CHECK(verdict_of({reported("a", 1, "none", ""), at_most("a", 2, 1, "")}) == Verdict::failed);
 }
 
 TEST_CASE("a check of convergence holds the slope of the errors against a limit") {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+namespace zona::studies {
+
+/// `zona report`: writes report.html and the folder report into the directory of a run, and prints
+/// where. Throws InputError for what is no run, RunError when Python fails.
+int write_report(const std::filesystem::path& directory);
+
+}  // namespace zona::studies
