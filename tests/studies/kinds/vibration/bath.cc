@@ -137,7 +137,7 @@ TEST_CASE("what contradicts itself in a taper, a fill, a bath or a pulse is told
   CHECK_THAT(trouble_of(kVibration + "[pulse]\ncount = 3\nrepetition_rate = \"10 kHz\"\n"),
              Contains("pulse.repetition_rate: pulse train"));
   CHECK_THAT(trouble_of(kVibration + "[pulse]\nshape = \"sine\"\ncount = 3\n"),
-             Contains("a sine goes on without end"));
+             Contains("a sine does not end"));
 }
 
 TEST_CASE("a controller's voltage sets the peak by its gain") {
