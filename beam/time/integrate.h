@@ -35,8 +35,8 @@ enum class RungeKutta {
 /// SUNDIALS ARKODE with adaptive steps that end on the kinks of the support motion.
 struct Arkode {
   double relative_tolerance = 1e-6;  ///< of every component of the state [-]
-  /// Tolerance of displacements [m]. For rotations it is divided by the element length, for velocities
-  /// by the time in which the support covers its peak displacement at its peak speed.
+  /// Tolerance of displacements [m]. For rotations it is divided by the element length, for
+  /// velocities by the time in which the support covers its peak displacement at its peak speed.
   double absolute_tolerance = 1e-11;
   RungeKutta method = RungeKutta::explicit_8;  ///< family of Runge-Kutta methods
 };

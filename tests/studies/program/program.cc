@@ -15,7 +15,8 @@ const std::string vibration = ZONA_SOURCE_DIR "/studies/vibration.toml";
 
 TEST_CASE("the program tells its version and its help") {
   CHECK(call("--version").code == 0);
-  CHECK_THAT(call("--version").text, Contains("zona 0.") && Contains("(commit ") && Contains(" on "));
+  CHECK_THAT(call("--version").text,
+             Contains("zona 0.") && Contains("(commit ") && Contains(" on "));
   CHECK_THAT(call("--help").text, Contains("reference"));
   CHECK(call("run --help").code == 0);
   CHECK_THAT(call("help grid.cell").text, Contains("grid.cell = \"6 um\""));
