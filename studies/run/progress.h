@@ -10,7 +10,7 @@ namespace zona::studies {
 
 /// Tells the user how far a study is: one live line on a terminal, otherwise a line every ten
 /// seconds or ten percent, or nothing at all. Cheap enough to call every step. A stage may have
-/// several parts that run side by side; each part is told of by one thread.
+/// several parts that run side by side; each part is reported by one thread.
 ///
 ///     progress.start("mercury", end);
 ///     ... progress.update(time, points * steps, fmt::format("{} failed", failed)); ...
