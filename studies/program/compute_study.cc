@@ -60,8 +60,8 @@ RunOutcome compute_study(const Configuration& study, const StudyKind& kind, RunD
   if (study.schema().binds<Run>()) {
     directory.log().set_level(study.value(&Run::log_level));
   }
-  directory.log().info("{}, {} study of {}, {} threads", provenance(), study.kind(),
-                       study.file().string(), outcome.threads);
+  directory.log().info(fmt::format("{}, {} study of {}, {} threads", provenance(), study.kind(),
+                                   study.file().string(), outcome.threads));
   nlohmann::json results = nlohmann::json::object();
   {
     Progress progress(Progress::suitable_mode(options.quiet), std::cerr);

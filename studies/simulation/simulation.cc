@@ -127,7 +127,9 @@ void Simulation::store() {
   const bool stored = checkpoints_.store(
       solver_.steps(), [this](mpm::StateVisitor& visitor) { visit_state(visitor); });
   const double seconds = seconds_since(start);
-  if (stored) context_.log.info("checkpoint after step {}, {:.2f} s", solver_.steps(), seconds);
+  if (stored) {
+    context_.log.info(fmt::format("checkpoint after step {}, {:.2f} s", solver_.steps(), seconds));
+  }
   output_seconds_ += seconds;
 }
 
@@ -149,8 +151,8 @@ void Simulation::write_frame() {
   while (is_due(next_frame_)) next_frame_ += context_.output.fields_interval;
   frames_->add_frame(solver_.time(), point_clouds(solver_), cell_fields(solver_));
   const double seconds = seconds_since(start);
-  context_.log.debug("frame {} at {:.6g} us, {:.2f} s", frames_->frame_count() - 1,
-                     solver_.time() * 1e6, seconds);
+  context_.log.debug(fmt::format("frame {} at {:.6g} us, {:.2f} s", frames_->frame_count() - 1,
+                                 solver_.time() * 1e6, seconds));
   output_seconds_ += seconds;
 }
 

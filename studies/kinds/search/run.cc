@@ -123,9 +123,9 @@ void SearchRun::explore_tips() {
   record_.tips = explore(plan_, session_);
   record_.tip_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  session_.directory.log().info("{} designs, {} impossible ones, {:.1f} s",
-                                record_.tips.designs.size(), record_.tips.impossible,
-                                record_.tip_seconds);
+  session_.directory.log().info(fmt::format("{} designs, {} impossible ones, {:.1f} s",
+                                            record_.tips.designs.size(), record_.tips.impossible,
+                                            record_.tip_seconds));
   write_designs(record_, session_.directory);
 }
 
