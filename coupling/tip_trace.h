@@ -1,31 +1,15 @@
 #pragma once
 
-#include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "beam/motion/tip_history.h"
+#include "mpm/files/csv_table.h"
 
 namespace zona::coupling {
 
-/// A trace of the tip's motion that cannot be read or used. `what()` reads
-/// "file:line:column: problem"; line and column count from 1, columns in bytes. They are 0, and
-/// omitted from the text, for problems of the whole file.
-class TraceError : public std::runtime_error {
- public:
-  /// Omits line and column from the text if the line is 0.
-  TraceError(const std::string& file, std::size_t line, std::size_t column,
-             const std::string& problem);
-  /// Line from 1; 0 for the whole file.
-  std::size_t line() const { return line_; }
-  /// Column from 1 [bytes]; 0 for the whole file.
-  std::size_t column() const { return column_; }
-
- private:
-  std::size_t line_;
-  std::size_t column_;
-};
+/// A trace of the tip's motion that cannot be read or used.
+using TraceError = mpm::TableError;
 
 /// Reads a computed or measured trace from a CSV file:
 ///

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "studies/input/table_file.h"
+#include "mpm/files/csv_table.h"
+#include "studies/input/units.h"
 #include "studies/input/with_key.h"
 #include "studies/parameters/bath_table.h"
 #include "studies/parameters/beam_table.h"
@@ -19,10 +20,14 @@ namespace {
 
 std::vector<beam::Diameters> profile_in_file(const std::filesystem::path& file,
                                              const GlassTube& tube) {
-  const auto table = read_table(file.string(), {{"distance", "m"}, {"outer", "m"}, {"inner", "m"}});
+  const auto length = [](const std::string& unit) {
+    return mpm::UnitScale{parse_quantity("1 " + unit, "m"), 1};
+  };
+  const auto table = mpm::CsvTable::read(
+      file.string(), {{"distance", "m", length}, {"outer", "m", length}, {"inner", "m", length}});
   std::vector<beam::Diameters> profile;
-  for (std::size_t i = 0; i < table[0].size(); ++i)
-    profile.push_back({table[0][i], table[1][i], table[2][i]});
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    profile.push_back({table["distance"][i], table["outer"][i], table["inner"][i]});
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-3 * b; };
   const beam::Diameters& tip = profile.front();
   if (differs(tip.outer, tube.outer_diameter) || differs(tip.inner, tube.inner_diameter))

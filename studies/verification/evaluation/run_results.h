@@ -6,30 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "mpm/files/csv_table.h"
+
 namespace zona::studies::verification {
 
-/// A CSV table of a run: its first row names the columns, "time [s]".
-class ResultTable {
- public:
-  /// Throws RunError when the file cannot be read or holds no rows.
-  explicit ResultTable(const std::filesystem::path& file);
-
-  /// A column by its name without unit. Throws RunError with the names there are.
-  const std::vector<double>& operator[](const std::string& name) const;
-  bool has(const std::string& name) const;
-  std::size_t rows() const { return cells_.size(); }
-  /// The rows whose cell in a column is this text. Throws RunError when there are none.
-  ResultTable where(const std::string& name, const std::string& text) const;
-
- private:
-  std::size_t column(const std::string& name) const;
-  void parse();
-
-  std::filesystem::path file_;
-  std::vector<std::string> names_;
-  std::vector<std::vector<std::string>> cells_;  ///< row by row
-  std::vector<std::vector<double>> columns_;     ///< NaN where a cell is no number
-};
+/// A CSV table of a run. NaN where a cell holds no number.
+using ResultTable = mpm::CsvTable;
 
 /// What a finished run left in its directory.
 class RunResults {
@@ -43,8 +25,10 @@ class RunResults {
   /// A number of the results. Throws RunError when there is none of this name.
   double number(const std::string& name) const;
   double wall_seconds() const;
-  /// A table of the run, e.g. "history.csv".
-  ResultTable table(const std::string& name) const { return ResultTable(directory_ / name); }
+  /// A table of the run, e.g. "history.csv". Throws mpm::TableError.
+  ResultTable table(const std::string& name) const {
+    return ResultTable::read((directory_ / name).string());
+  }
 
  private:
   std::filesystem::path directory_;

@@ -1,13 +1,23 @@
 #pragma once
 
 #include <catch2/catch.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "mpm/files/csv_table.h"
 #include "studies/kinds/scene/case.h"
 #include "tests/studies/call.h"
-#include "tests/studies/csv.h"
+#include "tests/studies/study_files.h"
 
 namespace zona::studies::testing {
+
+/// Columns of a CSV file by their names without units; words become NaN.
+inline std::map<std::string, std::vector<double>> read_columns(const std::filesystem::path& file) {
+  const auto table = mpm::CsvTable::read(file.string());
+  std::map<std::string, std::vector<double>> columns;
+  for (const std::string& name : table.names()) columns[name] = table[name];
+  return columns;
+}
 
 /// A scene that was run, with what it wrote.
 class Run {

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "beam/system/natural_modes.h"
-#include "studies/input/table_file.h"
 #include "studies/kinds/study_kinds.h"
 #include "studies/parameters/beam_integration_table.h"
 #include "studies/parameters/fill_table.h"
@@ -85,24 +84,9 @@ TEST_CASE("a profile of diameters is read from a table with units") {
   CHECK(pipette.profile[1].outer == Approx(20e-6));
   CHECK(diameters_at(pipette, 8.75e-3).inner == Approx(12e-6));
 
-  const auto error_of = [](const std::string& text) -> std::string {
-    try {
-      parse_table(text, "t.csv", {{"distance", "m"}, {"outer", "m"}});
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return "";
-  };
-  CHECK_THAT(error_of(""), Contains("the file is empty"));
-  CHECK_THAT(error_of("distance [mm]\n"), Contains("t.csv:1: columns are missing"));
-  CHECK_THAT(error_of("distance [mm], width [um]\n"), Contains("unknown heading 'width'"));
-  CHECK_THAT(error_of("distance, outer [um]\n"), Contains("lacks its unit"));
-  CHECK_THAT(error_of("distance [kg], outer [um]\n"), Contains("t.csv:1: distance: "));
-  CHECK_THAT(error_of("distance [m], distance [m]\n"), Contains("occurs twice"));
-  CHECK_THAT(error_of("distance [m], outer [m]\n1\n"), Contains("t.csv:2: 1 values under 2"));
-  CHECK_THAT(error_of("distance [m], outer [m]\n1,nan\n"), Contains("'nan' is not a finite"));
-  CHECK_THAT(error_of("distance [m], outer [m]\n1,x\n"), Contains("'x' is not a finite"));
-  CHECK_THAT(error_of("distance [m], outer [m]\n"), Contains("no values"));
+  scratch.write("profile.csv", "distance [mm], inner [um], outer [kg]\n0, 8, 10\n");
+  CHECK_THROWS_WITH(pipette_from(study, fills_of(study).back()),
+                    Contains("profile.csv:1:34: \"1 kg\" is not a length"));
 }
 
 TEST_CASE("what contradicts itself in a taper, a fill, a bath or a pulse is told") {
