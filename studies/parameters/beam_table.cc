@@ -16,10 +16,7 @@ void check_profile(const Configuration& study, const Complain& complain) {
   }
 }
 
-}  // namespace
-
-void declare_beam(Schema& schema, const std::string& section, long elements) {
-  TableKeys<Beam> keys(schema, section);
+void declare_glass(TableKeys<Beam>& keys, long elements) {
   keys.quantity("length", &Beam::length, "m", "10 mm")
       .in("(0, 1]")
       .called("L")
@@ -49,6 +46,9 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
   keys.quantity("loss_frequency", &Beam::loss_frequency, "Hz", "10 kHz")
       .in("(0, 1e9]")
       .doc("Frequency at which youngs_modulus is the storage modulus of a lossy glass.");
+}
+
+void declare_taper(TableKeys<Beam>& keys) {
   keys.quantity("shoulder_outer_diameter", &Beam::shoulder_outer_diameter, "m", "auto")
       .in("(0, 0.01]")
       .or_auto()
@@ -64,6 +64,14 @@ void declare_beam(Schema& schema, const std::string& section, long elements) {
           "CSV file of diameters along the axis instead of an even taper, with the headings "
           "`distance [mm], outer [um], inner [um]` (any units of length); distances count from the "
           "tip, where the diameters must be those of [pipette].");
+}
+
+}  // namespace
+
+void declare_beam(Schema& schema, const std::string& section, long elements) {
+  TableKeys<Beam> keys(schema, section);
+  declare_glass(keys, elements);
+  declare_taper(keys);
   schema.check(check_profile);
 }
 

@@ -53,11 +53,8 @@ beam::SupportMotion single_pulse(const Configuration& study, const Pulse& pulse,
   return beam::triangular_pulse(peak, duration);
 }
 
-}  // namespace
-
-void declare_pulse(Schema& schema, bool with_sine) {
+void declare_displacement(TableKeys<Pulse>& keys, bool with_sine) {
   const std::string sine = with_sine ? ", or a sine that starts at once (Figure 5.26)" : "";
-  TableKeys<Pulse> keys(schema, "pulse");
   keys.choice("shape", &Pulse::shape, pulse_shapes(with_sine))
       .doc(
           "Form of the support's displacement: up and down at constant speed (Figure 5.27); up, "
@@ -77,6 +74,9 @@ void declare_pulse(Schema& schema, bool with_sine) {
           "source has it, 0 deg along, towards the oocyte. Between them the tip moves as a beam "
           "after the pulse times the sine and, along itself, as a rod after the pulse times the "
           "cosine.");
+}
+
+void declare_controller(TableKeys<Pulse>& keys) {
   keys.quantity("voltage", &Pulse::voltage, "V", "10 V")
       .in("(0, 1000]")
       .doc("Setting of the controller; counts where peak = \"auto\".");
@@ -90,6 +90,9 @@ void declare_pulse(Schema& schema, bool with_sine) {
       .doc(
           "Relative uncertainty of the gain: displacements scale with it, so results that scale "
           "are reported with this interval where peak = \"auto\".");
+}
+
+void declare_course(TableKeys<Pulse>& keys) {
   keys.number("rise_fraction", &Pulse::rise_fraction, 0.25)
       .in("(0, 0.5]")
       .doc("Part of a trapezoid's duration in which it rises, and falls again.");
@@ -103,6 +106,15 @@ void declare_pulse(Schema& schema, bool with_sine) {
       .doc(
           "CSV file of a measured motion of the support, `time [us], displacement [um]`, from 0; "
           "needed by shape = \"trace\", which takes peaks and times from it.");
+}
+
+}  // namespace
+
+void declare_pulse(Schema& schema, bool with_sine) {
+  TableKeys<Pulse> keys(schema, "pulse");
+  declare_displacement(keys, with_sine);
+  declare_controller(keys);
+  declare_course(keys);
   schema.check(check_shape);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/references/displacement.h"
 #include "studies/references/require.h"
 
 namespace zona::studies::references {
@@ -198,14 +199,7 @@ StringImpact net_of_the_source() {
 }
 
 double StringHistory::displacement(double time) const {
-  require(samples.size() >= 2, "the history has no samples");
-  const double interval = samples[1].time - samples[0].time;
-  require(time >= 0 && time <= samples.back().time * (1 + 1e-9),
-          "the history ends at " + std::to_string(samples.back().time) + " s, before " +
-              std::to_string(time) + " s");
-  const auto i = std::min(static_cast<std::size_t>(time / interval), samples.size() - 2);
-  const double share = (time - samples[i].time) / interval;
-  return (1 - share) * samples[i].displacement + share * samples[i + 1].displacement;
+  return displacement_at(samples, time);
 }
 
 StringHistory string_impact(const StringImpact& impact, const StringResolution& resolution) {

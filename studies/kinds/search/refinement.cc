@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlopt.hpp>
 
 #include "studies/kinds/search/batch_evaluator.h"
 #include "studies/kinds/search/cost.h"
+#include "studies/kinds/search/minimise.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/parallel.h"
 
@@ -39,23 +39,9 @@ class LocalSearch {
         meter_(plan, {}) {}
 
   void run() {
-    std::vector<double> place = start_.place;
-    nlopt::opt optimiser(nlopt::LN_COBYLA, static_cast<unsigned>(place.size()));
-    const nlopt::vfunc cost = [](const std::vector<double>& x, std::vector<double>&, void* search) {
-      return static_cast<LocalSearch*>(search)->cost_at(x);
-    };
-    optimiser.set_min_objective(cost, this);
-    optimiser.set_lower_bounds(0);
-    optimiser.set_upper_bounds(1);
-    optimiser.set_initial_step(first_step);
-    optimiser.set_xtol_abs(last_step);
-    optimiser.set_maxeval(static_cast<int>(most_beams * static_cast<long>(plan_.refinements)));
-    double least = 0;
-    try {
-      optimiser.optimize(place, least);
-    } catch (const nlopt::forced_stop&) {
-    } catch (const nlopt::roundoff_limited&) {  // as good as rounding allows
-    }
+    minimise(nlopt::LN_COBYLA, start_.place,
+             {first_step, last_step, most_beams * static_cast<long>(plan_.refinements)},
+             [&](const std::vector<double>& place) { return cost_at(place); });
   }
 
   const std::vector<Evaluation>& evaluations() const { return evaluations_; }

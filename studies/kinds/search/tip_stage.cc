@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <nlopt.hpp>
 #include <optional>
 
 #include "studies/kinds/search/cost.h"
+#include "studies/kinds/search/minimise.h"
 #include "studies/kinds/search/pareto.h"
 #include "studies/run/interrupt.h"
 #include "studies/run/parallel.h"
@@ -19,7 +19,7 @@ namespace {
 /// Weight of an objective that a weighting leaves out.
 constexpr double least_weight = 0.01;
 /// Penalty per 100 % violation of a limit, in ranges of an objective.
-constexpr double penalty = 100;
+constexpr double limit_penalty = 100;
 
 std::vector<double> objectives_of(const Plan& plan, const Values& values) {
   std::vector<double> point;
@@ -72,7 +72,7 @@ class Explorer {
         for (std::size_t k = 0; k < point.size(); ++k)
           point[k] =
               std::max(weights[k], least_weight) * (point[k] - scale.least[k]) / scale.range[k];
-        return worst_of(point) + penalty * excess(plan_.limits_of(Measure::Of::tip), values);
+        return worst_of(point) + limit_penalty * excess(plan_.limits_of(Measure::Of::tip), values);
       };
       minimise(cost);
     }
@@ -103,28 +103,12 @@ class Explorer {
     std::size_t best = 0;
     for (std::size_t i = 1; i < designs_.size(); ++i)
       if (cost(designs_[i].tip) < cost(designs_[best].tip)) best = i;
-    std::vector<double> place = designs_[best].place;
-    nlopt::opt optimiser(nlopt::LN_SBPLX, static_cast<unsigned>(ranges_));
-    const nlopt::vfunc objective = [](const std::vector<double>& x, std::vector<double>&,
-                                      void* data) {
-      const auto& [explorer, cost_of] = *static_cast<std::pair<Explorer*, const Cost*>*>(data);
-      if (Interrupt::requested()) throw nlopt::forced_stop();
-      const std::optional<Values> values = explorer->try_design(x);
-      return values ? (*cost_of)(*values) : HUGE_VAL;
-    };
-    std::pair<Explorer*, const Cost*> context(this, &cost);
-    optimiser.set_min_objective(objective, &context);
-    optimiser.set_lower_bounds(0);
-    optimiser.set_upper_bounds(1);
-    optimiser.set_initial_step(0.1);
-    optimiser.set_xtol_abs(1e-3);
-    optimiser.set_maxeval(static_cast<int>(plan_.evaluations));
-    double least = 0;
-    try {
-      optimiser.optimize(place, least);
-    } catch (const nlopt::forced_stop&) {
-    } catch (const nlopt::roundoff_limited&) {  // as good as rounding allows
-    }
+    search::minimise(nlopt::LN_SBPLX, designs_[best].place, {0.1, 1e-3, plan_.evaluations},
+                     [&](const std::vector<double>& place) {
+                       if (Interrupt::requested()) throw nlopt::forced_stop();
+                       const std::optional<Values> values = try_design(place);
+                       return values ? cost(*values) : HUGE_VAL;
+                     });
   }
 
   const Plan& plan_;

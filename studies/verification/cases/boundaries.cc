@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "studies/references/absorbing_boundary.h"
 #include "studies/verification/cases/case_list.h"
+#include "studies/verification/evaluation/curves.h"
 
 namespace zona::studies::verification {
 
@@ -22,12 +22,7 @@ std::vector<Run> piston_runs(Extent) {
 
 Curve stress_curve(const RunResults& run, const std::string& label) {
   const ResultTable history = run.table("history.csv");
-  Curve curve{label, {}, {}, Style::line};
-  for (std::size_t i = 0; i < history.rows(); ++i) {
-    curve.x.push_back(history["time"][i] * 1e6);
-    curve.y.push_back(history["probe.p.stress_xx"][i] / 1e6);
-  }
-  return curve;
+  return {label, history["time"] * 1e6, history["probe.p.stress_xx"] / 1e6};
 }
 
 /// Mean of a curve between two instants.
@@ -42,32 +37,40 @@ double mean(const Curve& curve, double from, double to) {
   return sum / count;
 }
 
-Evaluation evaluate_piston(const CaseResults& results, Extent) {
-  Evaluation evaluation;
+double water_speed() {
+  return std::sqrt(5 * 6.13e8 / 1000);
+}
+
+/// Stress at the interface of piston and water [MPa].
+double piston_stress() {
   const double modulus = 2e7 * (1 - 0.2) / ((1 + 0.2) * (1 - 2 * 0.2));
   const double piston = 2000 * std::sqrt(modulus / 2000);
-  const double water = 1000 * std::sqrt(5 * 6.13e8 / 1000);
-  const double exact = -10 * piston * water / (piston + water) / 1e6;
-  Panel panel{"", {"time [us]"}, {"stress [MPa]"}, {}};
+  const double water = 1000 * water_speed();
+  return -10 * piston * water / (piston + water) / 1e6;
+}
+
+Evaluation evaluate_piston(const CaseResults& results, Extent) {
+  Evaluation evaluation;
+  const double exact = piston_stress();
+  Panel panel{"", {"time [us]"}, {"stress [MPa]"}};
   for (const std::string label : {"absorbing", "whole-tube", "free"}) {
     panel.curves.push_back(stress_curve(results[label], label));
   }
-  panel.curves.push_back({"exact", {0, 500}, {exact, exact}, Style::reference});
+  const auto& curves = panel.curves;
   for (const int i : {0, 1}) {
-    evaluation.checks.push_back(
-        near("mean stress since the front's arrival [MPa], " + panel.curves[i].label,
-             mean(panel.curves[i], 57, 500), exact, 0.03,
-             "the soft piston spans few cells: the stress rings, its mean "
-             "errs by the last, incomplete period"));
+    evaluation.add(near("mean stress since the front's arrival [MPa], " + curves[i].label,
+                        mean(curves[i], 57, 500), exact, 0.03,
+                        "the soft piston spans few cells: the stress rings, its mean errs by the "
+                        "last, incomplete period"));
   }
-  evaluation.checks.push_back(at_most(
-      "difference of the means with and without the tube behind the face, over the stress",
-      std::abs(mean(panel.curves[0], 57, 500) - mean(panel.curves[1], 57, 500)) / std::abs(exact),
-      0.02, "what an absorbing face may send back"));
-  evaluation.checks.push_back(reported("mean stress with a free face [MPa]",
-                                       mean(panel.curves[2], 300, 500), "0",
-                                       "all of the wave comes back"));
-  evaluation.figures.push_back({"stress", "Figure 5.13: stress at p.", {panel}, {}});
+  evaluation.add(
+      {at_most("difference of the means with and without the tube behind the face, over the stress",
+               std::abs(mean(curves[0], 57, 500) - mean(curves[1], 57, 500)) / std::abs(exact),
+               0.02, "what an absorbing face may send back"),
+       reported("mean stress with a free face [MPa]", mean(curves[2], 300, 500), "0",
+                "all of the wave comes back")});
+  panel.curves.push_back({"exact", {0, 500}, {exact, exact}, Style::reference});
+  evaluation.draw("stress", "Figure 5.13: stress at p.", {panel});
   evaluation.remarks = {
       "The piston's wave takes a third of a cell's crossing time of the water: at the source's "
       "resolution its stress rings by more than its mean, so the mean is held to the exact "
@@ -76,10 +79,6 @@ Evaluation evaluate_piston(const CaseResults& results, Extent) {
 }
 
 // ---- oblique incidence
-
-double water_speed() {
-  return std::sqrt(5 * 6.13e8 / 1000);
-}
 
 /// At 20 degrees little comes back: quick holds the formula at the others.
 std::vector<int> angles(Extent extent) {
@@ -148,57 +147,49 @@ double reflected_fraction(const RunResults& run, int angle) {
   return std::abs(reflected / incident);
 }
 
+double exact_fraction(double degrees) {
+  return -references::reflected_pressure(degrees * M_PI / 180);
+}
+
 Evaluation evaluate_oblique(const CaseResults& results, Extent extent) {
   Evaluation evaluation;
-  Panel panel{
-      "",
-      {"angle of incidence [degrees]"},
-      {"reflected over incident pressure"},
-      {{"(1 - cos)/(1 + cos)", {}, {}, Style::reference}, {"computed", {}, {}, Style::points}}};
-  for (int degrees = 0; degrees <= 75; ++degrees) {
-    panel.curves[0].x.push_back(degrees);
-    panel.curves[0].y.push_back(-references::reflected_pressure(degrees * M_PI / 180));
-  }
+  Curve exact = exact_curve(75, 75, exact_fraction);
+  exact.label = "(1 - cos)/(1 + cos)";
+  Curve computed{"computed", {}, {}, Style::points};
+  const auto fraction = [&](int angle, int cell) {
+    return reflected_fraction(results[oblique_label(angle, cell)], angle);
+  };
   for (const int angle : angles(extent)) {
-    const double computed = reflected_fraction(results[oblique_label(angle, 10)], angle);
-    const double exact = -references::reflected_pressure(angle * M_PI / 180);
-    const std::string quantity = fmt::format("reflected fraction at {} degrees", angle);
-    panel.curves[1].x.push_back(angle);
-    panel.curves[1].y.push_back(computed);
-    if (angle == 0) {
-      const double fine = reflected_fraction(results[oblique_label(0, 5)], 0);
-      evaluation.checks.push_back(
-          reported(quantity + ", cells of 10 mm", computed, fmt::format("{:.3g} with 5 mm", fine),
-                   "tractions act at nodes, half a cell's mass beside the points'"));
-      evaluation.checks.push_back(
-          at_most(quantity + ", cells of 5 mm", fine, 0.02, "a pulse of 12 cells half width"));
+    computed.add(angle, fraction(angle, 10));
+    const std::string quantity = fmt::format("reflected fraction at {} degrees, cells of ", angle);
+    if (angle > 0) {
+      evaluation.add(within(quantity + "10 mm", computed.y.back(), exact_fraction(angle), 0.03,
+                            "what comes back at 0 degrees from a pulse of 6 cells"));
       continue;
     }
-    evaluation.checks.push_back(within(quantity + ", cells of 10 mm", computed, exact, 0.03,
-                                       "what comes back at 0 degrees from a pulse of 6 cells"));
+    const double fine = fraction(0, 5);
+    evaluation.add(
+        {reported(quantity + "10 mm", computed.y.back(), fmt::format("{:.3g} with 5 mm", fine),
+                  "tractions act at nodes, half a cell's mass beside the points'"),
+         at_most(quantity + "5 mm", fine, 0.02, "a pulse of 12 cells half width")});
   }
   if (extent == Extent::full) {
-    evaluation.checks.push_back(within("reflected fraction at 40 degrees, cells of 5 mm",
-                                       reflected_fraction(results[oblique_label(40, 5)], 40),
-                                       -references::reflected_pressure(40 * M_PI / 180), 0.02,
-                                       "as at 0 degrees"));
+    evaluation.add(within("reflected fraction at 40 degrees, cells of 5 mm", fraction(40, 5),
+                          exact_fraction(40), 0.02, "as at 0 degrees"));
   }
-  evaluation.figures.push_back({"reflection", "What an absorbing face sends back.", {panel}, {}});
+  Panel panel{"", {"angle of incidence [degrees]"}, {"reflected over incident pressure"}};
+  panel.curves = {exact, computed};
+  evaluation.draw("reflection", "What an absorbing face sends back.", {panel});
   return evaluation;
 }
 
 }  // namespace
 
-Case piston() {
-  return {
-      "piston",    "Piston and water", "5.4, Figures 5.12 and 5.13", "exact stress of the impact",
-      piston_runs, evaluate_piston};
-}
-
-Case oblique_wave() {
-  return {"oblique_wave",  "Waves that meet an absorbing face obliquely",
-          "(5.43)-(5.50)", "(1 - cos)/(1 + cos)",
-          oblique_runs,    evaluate_oblique};
+std::vector<Case> boundaries() {
+  return {{"piston", "Piston and water", "5.4, Figures 5.12 and 5.13", "exact stress of the impact",
+           piston_runs, evaluate_piston},
+          {"oblique_wave", "Waves that meet an absorbing face obliquely", "(5.43)-(5.50)",
+           "(1 - cos)/(1 + cos)", oblique_runs, evaluate_oblique}};
 }
 
 }  // namespace zona::studies::verification

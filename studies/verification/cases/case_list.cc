@@ -3,37 +3,15 @@
 namespace zona::studies::verification {
 
 const std::vector<Case>& cases() {
-  static const std::vector<Case> all{
-      impact(),
-      bar_wave(),
-      shock_tube(),
-      sod_tube(),
-      net(),
-      gas_box(),
-      material_points(),
-      piston(),
-      oblique_wave(),
-      injection(),
-      piercing_lateral(),
-      piercing_axial(),
-      piercing_numerics(),
-      pipette_frequencies(),
-      support_motion(),
-      pipette_amplitude(),
-      pipette_bath(),
-      membrane_strip(),
-      membrane_shear(),
-      inflated_sphere(),
-      hencky(),
-      membrane_bending(),
-      stokes(),
-      couette(),
-      standing_wave(),
-      free_fall(),
-      vortex(),
-      drifting_bar(),
-      hanging_bar(),
-  };
+  static const std::vector<Case> all = [] {
+    std::vector<Case> joined;
+    for (const auto group :
+         {solids, gas_dynamics, chapter_four, material_points, boundaries, injection, piercing,
+          pipette, pipette_bath, membranes, flows, numerics}) {
+      for (Case& c : group()) joined.push_back(std::move(c));
+    }
+    return joined;
+  }();
   return all;
 }
 

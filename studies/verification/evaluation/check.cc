@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "studies/references/profile_errors.h"
 
@@ -30,25 +29,17 @@ Verdict pass_if(bool condition) {
 Check near(const std::string& quantity, double value, double reference, double tolerance,
            const std::string& origin) {
   const double error = value / reference - 1;
-  return {quantity,
-          shown(value),
-          shown(reference),
-          percent(error),
-          percent(tolerance),
-          origin,
-          pass_if(std::abs(error) <= tolerance)};
+  const Verdict verdict = pass_if(std::abs(error) <= tolerance);
+  return {quantity,           shown(value), shown(reference), percent(error),
+          percent(tolerance), origin,       verdict};
 }
 
 Check within(const std::string& quantity, double value, double reference, double tolerance,
              const std::string& origin) {
   const double error = value - reference;
-  return {quantity,
-          shown(value),
-          shown(reference),
-          shown(error),
-          shown(tolerance),
-          origin,
-          pass_if(std::abs(error) <= tolerance)};
+  const Verdict verdict = pass_if(std::abs(error) <= tolerance);
+  return {quantity,         shown(value), shown(reference), shown(error),
+          shown(tolerance), origin,       verdict};
 }
 
 Check at_most(const std::string& quantity, double value, double limit, const std::string& origin) {
@@ -64,13 +55,14 @@ Check converges(const std::string& quantity, const std::vector<double>& sizes,
   const double observed = references::observed_order(sizes, errors);
   std::string series;
   for (const double error : errors) series += (series.empty() ? "" : ", ") + shown(error);
+  const Verdict verdict = pass_if(observed >= order);
   return {"order of " + quantity,
           fmt::format("{:.2f}", observed),
           "",
           series,
           fmt::format(">= {:.2f}", order),
           origin,
-          pass_if(observed >= order)};
+          verdict};
 }
 
 Check reported(const std::string& quantity, double value, const std::string& reference,
@@ -86,15 +78,8 @@ Verdict verdict_of(const std::vector<Check>& checks) {
 }
 
 std::string word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::passed:
-      return "pass";
-    case Verdict::failed:
-      return "FAIL";
-    case Verdict::reported:
-      return "reported";
-  }
-  throw std::logic_error("unreachable");
+  constexpr const char* words[] = {"pass", "FAIL", "reported"};
+  return words[static_cast<int>(verdict)];
 }
 
 }  // namespace zona::studies::verification

@@ -1,41 +1,28 @@
 #include "studies/verification/evaluation/figure.h"
 
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 namespace zona::studies::verification {
 
-namespace {
+// Found by nlohmann::json, also for the elements of a std::vector.
 
-std::string word(Style style) {
-  switch (style) {
-    case Style::line:
-      return "line";
-    case Style::points:
-      return "points";
-    case Style::reference:
-      return "reference";
-    case Style::limit:
-      return "limit";
-  }
-  throw std::logic_error("unreachable");
+static void to_json(nlohmann::json& json, const Axis& axis) {
+  json = {{"label", axis.label}, {"logarithmic", axis.logarithmic}};
 }
 
-nlohmann::json to_json(const Axis& axis) {
-  return {{"label", axis.label}, {"logarithmic", axis.logarithmic}};
+static void to_json(nlohmann::json& json, const Curve& curve) {
+  constexpr const char* styles[] = {"line", "points", "reference", "limit"};
+  const char* style = styles[static_cast<int>(curve.style)];
+  json = {{"label", curve.label}, {"x", curve.x}, {"y", curve.y}, {"style", style}};
 }
 
-nlohmann::json to_json(const Panel& panel) {
-  nlohmann::json curves = nlohmann::json::array();
-  for (const Curve& curve : panel.curves) {
-    curves.push_back(
-        {{"label", curve.label}, {"x", curve.x}, {"y", curve.y}, {"style", word(curve.style)}});
-  }
-  return {
-      {"title", panel.title}, {"x", to_json(panel.x)}, {"y", to_json(panel.y)}, {"curves", curves}};
+static void to_json(nlohmann::json& json, const Panel& panel) {
+  json = {{"title", panel.title}, {"x", panel.x}, {"y", panel.y}, {"curves", panel.curves}};
 }
 
-}  // namespace
+static void to_json(nlohmann::json& json, const Figure::Zona& picture) {
+  json = {{"run", picture.run}, {"microseconds", picture.microseconds}};
+}
 
 std::vector<std::string> Figure::files(const std::string& case_name) const {
   const std::string stem = case_name + "_" + name;
@@ -46,13 +33,10 @@ std::vector<std::string> Figure::files(const std::string& case_name) const {
 }
 
 nlohmann::json to_json(const Figure& figure) {
-  nlohmann::json panels = nlohmann::json::array();
-  for (const Panel& panel : figure.panels) panels.push_back(to_json(panel));
-  nlohmann::json zona = nlohmann::json::array();
-  for (const Figure::Zona& picture : figure.zona) {
-    zona.push_back({{"run", picture.run}, {"microseconds", picture.microseconds}});
-  }
-  return {{"name", figure.name}, {"caption", figure.caption}, {"panels", panels}, {"zona", zona}};
+  return {{"name", figure.name},
+          {"caption", figure.caption},
+          {"panels", figure.panels},
+          {"zona", figure.zona}};
 }
 
 }  // namespace zona::studies::verification

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <functional>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "studies/verification/evaluation/check.h"
@@ -12,6 +16,20 @@ namespace zona::studies::verification {
 
 /// How much of a case is computed: what fits into minutes, or everything.
 enum class Extent { quick, full };
+
+/// The values of a quick verification, followed by those that a full one adds.
+template <class T>
+std::vector<T> of_extent(Extent extent, std::initializer_list<T> quick,
+                         std::initializer_list<T> added) {
+  std::vector<T> values(quick);
+  if (extent == Extent::full) values.insert(values.end(), added);
+  return values;
+}
+
+template <class Number>
+std::string cell_override(Number millimetres) {
+  return fmt::format("grid.cell=\"{} mm\"", millimetres);
+}
 
 /// A run of a study file that a case needs.
 struct Run {
@@ -25,6 +43,15 @@ struct Evaluation {
   std::vector<Check> checks;
   std::vector<Figure> figures;
   std::vector<std::string> remarks;  ///< what differs from the dissertation, by how much, and why
+
+  void add(Check check) { checks.push_back(std::move(check)); }
+  void add(const std::vector<Check>& more) {
+    checks.insert(checks.end(), more.begin(), more.end());
+  }
+  void draw(Figure figure) { figures.push_back(std::move(figure)); }
+  void draw(const std::string& name, const std::string& caption, std::vector<Panel> panels) {
+    figures.push_back({name, caption, std::move(panels)});
+  }
 };
 
 /// An example of the dissertation, or a basic problem that it lacks, with its reference solution.
