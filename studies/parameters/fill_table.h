@@ -22,7 +22,7 @@ struct Fills {
   std::vector<NamedQuantity> fluids;  ///< densities [kg/m^3]
 };
 
-/// Where in the bore the fluid of [fill] stands.
+/// Place of the fluid of [fill] in the bore.
 struct FillPlace {
   std::optional<double> viscosity;  ///< [Pa s]; empty: the named fluid's, else water's
   double start;                     ///< from the tip [m]

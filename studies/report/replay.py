@@ -30,7 +30,7 @@ def _chosen(count, most):
 
 
 def pack_run(frames):
-    """Frames as the script of the page wants them, in SI."""
+    """Frames as replay.js expects them, in SI."""
     indices = _chosen(len(frames.names), MOST_FRAMES)
     groups = [frames.group(i) for i in indices]
     clouds = [name for name in groups[0] if all(name in group for group in groups)]
@@ -60,7 +60,7 @@ def pack_run(frames):
 
 
 def _range(name, values, groups, cloud):
-    """Least and greatest value of points that have not failed: what failed points show says nothing."""
+    """Least and greatest value of points that have not failed; values of failed points mean nothing."""
     if name == "strain" and "failed" in groups[0][cloud]["fields"]:
         values = [v[np.asarray(g[cloud]["fields"]["failed"]) < 0.5] for v, g in zip(values, groups)]
         values = [v for v in values if len(v)] or [np.zeros(1)]

@@ -52,13 +52,13 @@ KEY_NUMBERS = [
 ]
 COST = [("points", "points", 1, ""), ("steps", "steps", 1, ""), ("time_step", "time step", 1e9, "ns"),
         ("critical_time_step", "critical step", 1e9, "ns"), ("wall_seconds", "time taken", 1, "s"),
-        ("output_seconds", "of it for output", 1, "s"),
+        ("output_seconds", "time for output", 1, "s"),
         ("point_steps_per_second", "speed, point-steps", 1e-6, "million/s"),
-        ("peak_memory_bytes", "memory at its greatest", 1e-6, "MB")]
+        ("peak_memory_bytes", "peak memory", 1e-6, "MB")]
 
 
 def number_table(runs, entries):
-    """A row a number, a column a run."""
+    """One row per number, one column per run."""
     rows = [[f"{title} [{unit}]" if unit else title] + [number(run.results.get(key), factor) for run in runs]
             for key, title, factor, unit in entries if any(key in run.results for run in runs)]
     return table([""] + [run.name for run in runs], rows) if rows else ""

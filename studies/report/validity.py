@@ -6,12 +6,12 @@ MICRO = 1e6
 
 
 def warnings(study, runs):
-    """What limits the validity of the results, with the run's own numbers."""
+    """The warnings as sentences."""
     found = []
     status = study.summary["status"]
     if status != "complete":
         message = study.summary.get("message", "")
-        found.append(f"The run is {status}{': ' + message if message else ''}; what follows is of the part computed.")
+        found.append(f"The run is {status}{': ' + message if message else ''}; the report covers the part computed.")
     for run in runs if study.kind != "vibration" else []:
         named = f" ({run.name})" if run.name else ""
         found += [f"The beam's bath{named}: {text}." for text in run.results.get("warnings", [])]
@@ -37,7 +37,7 @@ def warnings(study, runs):
             noises[run.name] = f"{100 * noise:.0f} %"
     if swings:
         found.append(f"The tip swings further than its outer diameter of {diameter:g} µm: {_listed(swings)}. Liquid then "
-                     "separates from the glass and drags on it; the beam knows nothing of that.")
+                     "separates from the glass and drags on it; the model of the beam ignores this.")
     if strains:
         found.append(f"Intact points of the zona are strained by up to {_listed(strains)}. The law is that of small "
                      "strains: measures of strain differ by about half of the strain itself.")

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Runs one of the project's scripts; returns "" or the end of what it complained about.
+/// Runs one of the project's scripts; returns "" or the end of its error output.
 std::string run_figure_script(const std::string& script, const std::vector<fs::path>& arguments) {
   const ScriptOutcome outcome = run_script(report_directory() / script, arguments);
   return outcome.succeeded ? "" : end_of(outcome.output);

@@ -14,7 +14,7 @@ using Inside = std::function<bool(const Eigen::Vector3d&)>;
 /// hold their lower faces and not their upper ones, so that neighbours share no point.
 Inside inside_of(const BodyShape& body, const mpm::BackgroundGrid& grid);
 
-/// Points of a body with a volume, without those that `cut` says yes to.
+/// Points of a body with a volume, without those where `cut` is true.
 mpm::Lattice volume_points(const BodyShape& body, const mpm::BackgroundGrid& grid,
                            const Inside& inside, const Inside& cut);
 

@@ -16,8 +16,7 @@ const Words<ShapeName>& shape_names();
 /// Whether a shape is a surface, as membranes have.
 bool is_surface(ShapeName shape);
 
-/// Where the points of a [[body]] are at first. Members that the shape does not have are zero or
-/// empty.
+/// Initial shape of a [[body]]. Members that the shape does not have are zero or empty.
 struct BodyShape : BoxKeys {
   ShapeName shape;
   Eigen::Vector3d center{0, 0, 0};                 ///< of a sphere, disc or icosphere [m]

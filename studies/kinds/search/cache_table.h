@@ -8,7 +8,7 @@ namespace zona::studies::search {
 
 /// Where the results of piercings are kept.
 struct Cache {
-  std::string folder;  ///< from the working directory; empty: in the run's directory
+  std::string folder;  ///< relative to the working directory; empty: in the run's directory
 };
 
 /// The key in [run], which must be open.

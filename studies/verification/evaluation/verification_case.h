@@ -10,7 +10,7 @@
 
 namespace zona::studies::verification {
 
-/// How much of a case is computed: what fits into minutes, or everything.
+/// Extent of a case: the runs that fit into minutes, or all.
 enum class Extent { quick, full };
 
 /// A run of a study file that a case needs.
@@ -20,7 +20,7 @@ struct Run {
   std::vector<std::string> overrides;  ///< key=TOML-value
 };
 
-/// What the runs of a case say.
+/// Result of a case.
 struct Evaluation {
   std::vector<Check> checks;
   std::vector<Figure> figures;
@@ -28,7 +28,7 @@ struct Evaluation {
 };
 
 /// An example of the dissertation, or a basic problem that it lacks, with its reference solution.
-/// What is computed stands in study files alone; a case only compares.
+/// Study files say what is computed; a case only compares.
 struct Case {
   std::string name;       ///< "shock_tube"; what the command line calls it
   std::string title;      ///< "Shock tube"
