@@ -16,12 +16,12 @@ void declare_threads_and_log(Schema& schema) {
   keys.integer("threads", &Run::threads, 0).in("[0, 4096]").doc("Number of threads; 0 takes all.");
   keys.choice("log_level", &Run::log_level, kLogLevels)
       .doc(
-          "What log.txt holds: \"debug\" adds every frame; \"warning\" and \"error\" keep only "
+          "Detail of log.txt: \"debug\" adds every frame; \"warning\" and \"error\" keep only "
           "those.");
 }
 
 void declare_run(Schema& schema) {
-  schema.section("run", "How the program runs. The results do not depend on it.");
+  schema.section("run", "Execution of the program. The results do not depend on it.");
   declare_threads_and_log(schema);
   TableKeys<CheckpointIntervals> keys(schema, "run");
   keys.quantity("checkpoint_interval", &CheckpointIntervals::checkpoint_interval, "s", "300 s")

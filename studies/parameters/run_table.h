@@ -6,7 +6,7 @@
 
 namespace zona::studies {
 
-/// How the program runs.
+/// Execution of the program.
 struct Run {
   int threads;  ///< 0: all
   spdlog::level::level_enum log_level;

@@ -47,7 +47,7 @@ double mid_section_opening(const SteppedBar& bar, double time);
 /// The bar with held sides (one-dimensional strain), for t <= L/c.
 ///
 /// Until the fronts meet it is the same, because Poisson's ratio is 0. Then the elastic front back
-/// from the middle again carries the yield stress, but behind it the stress goes on rising: lateral
+/// from the middle again carries the yield stress, but behind it the stress keeps rising: lateral
 /// stress builds up, the tangent modulus is the bulk modulus E/3, and a plastic front runs at
 /// c/sqrt(3). Behind that the material is at rest with the axial stress s_y + (2 step -
 /// s_y)/sqrt(3) and an equivalent stress of s_y. The equivalent stress, which Figure 3.8 draws, is

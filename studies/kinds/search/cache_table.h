@@ -6,7 +6,7 @@
 
 namespace zona::studies::search {
 
-/// Where the results of piercings are kept.
+/// Cache of the results of piercings.
 struct Cache {
   std::string folder;  ///< relative to the working directory; empty: in the run's directory
 };

@@ -18,7 +18,7 @@ Schema make_schema() {
   search::declare_variables(schema);
   search::declare_uncertain(schema);
   search::declare_limits(schema);
-  schema.section("run", "How the program runs. The results do not depend on it.");
+  schema.section("run", "Execution of the program. The results do not depend on it.");
   declare_threads_and_log(schema);
   search::declare_cache(schema);
   return schema;
