@@ -23,7 +23,7 @@ struct Beam {
 };
 
 /// Keys of the beam, in a section that is open, with a default number of elements. Complains of
-/// shoulders besides a profile.
+/// shoulders together with a profile.
 void declare_beam(Schema& schema, const std::string& section, long elements);
 
 }  // namespace zona::studies

@@ -95,7 +95,7 @@ void declare_pulse(Schema& schema, bool with_sine) {
       .doc("Fraction of a trapezoid's duration for its rise, and for its fall.");
   keys.integer("count", &Pulse::count, 1)
       .in("[1, 100000]")
-      .doc("Pulses in a train; a sine has no trains.");
+      .doc("Number of pulses in a train; not for a sine.");
   keys.quantity("repetition_rate", &Pulse::repetition_rate, "Hz", "100 Hz")
       .in("(0, 1e6]")
       .doc("Rate of the pulses in a train.");

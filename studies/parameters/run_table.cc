@@ -21,7 +21,7 @@ void declare_threads_and_log(Schema& schema) {
 }
 
 void declare_run(Schema& schema) {
-  schema.section("run", "Execution of the program. The results do not depend on it.");
+  schema.section("run", "Settings of the program, which do not change the results.");
   declare_threads_and_log(schema);
   TableKeys<CheckpointIntervals> keys(schema, "run");
   keys.quantity("checkpoint_interval", &CheckpointIntervals::checkpoint_interval, "s", "300 s")

@@ -6,7 +6,7 @@
 
 namespace zona::studies {
 
-/// Execution of the program.
+/// Settings of the program.
 struct Run {
   int threads;  ///< 0: all
   spdlog::level::level_enum log_level;

@@ -31,8 +31,7 @@ void declare_window(TableKeys<MotionWindow> keys, const std::string& scaled) {
       .in("(0, 10]")
       .doc(
           "Length of the history that is used. The tip responds about 100 us after a 60 us pulse "
-          "and "
-          "then swings with half-periods of 50 to 100 us.");
+          "and then swings with half-periods of 50 to 100 us.");
   keys.number("auto_fraction", &MotionWindow::auto_fraction, 0.01)
       .in("(0, 1)")
       .doc("Fraction of the tip's peak displacement that starts an \"auto\" window.");

@@ -77,8 +77,8 @@ void declare_surfaces(Keys& keys) {
       .auto_by_default()
       .only_where(of(keys, {ShapeName::icosphere}))
       .doc(
-          "Subdivisions of an icosahedron, each of every triangle into four: 10 x 4^level + 2 "
-          "points; "
+          "Number of subdivisions of an icosahedron, each of which divides every triangle into "
+          "four: 10 x 4^level + 2 points; "
           "\"auto\" keeps points at most a quarter of a cell apart.");
   keys.integer("rings", &BodyShape::rings, 0)
       .in("[1, 10000]")

@@ -13,8 +13,7 @@ const std::vector<Measure>& measures() {
   static const std::vector<Measure> all = {
       {"mismatch", Of::tip, "", 1, "", "mismatch",
        "Root mean square of the difference between the tip's motion and that of the reference, "
-       "over "
-       "that of the reference, in the window of the piercing."},
+       "over that of the reference, in the window of the piercing."},
       {"residual_motion", Of::tip, "m", 1e6, "um", "residual motion",
        "Greatest displacement of the tip after the window of the piercing."},
       {"tip_amplitude", Of::tip, "m", 1e6, "um", "tip amplitude",
@@ -32,7 +31,8 @@ const std::vector<Measure>& measures() {
       {"largest_strain_away", Of::oocyte, "", 1, "", "strain away",
        "Greatest strain of the zona further than a pipette's diameter from hole and contact."},
       {"largest_displacement_away", Of::oocyte, "m", 1e6, "um", "deformation",
-       "Greatest displacement of the zona further than that from hole and contact."},
+       "Greatest displacement of the zona further than a pipette's diameter from hole and "
+       "contact."},
       {"deepest_indentation", Of::oocyte, "m", 1e6, "um", "indentation",
        "Greatest indentation of the intact zona by the pipette."},
       {"highest_cytoplasm_pressure", Of::oocyte, "Pa", 1e-3, "kPa", "pressure",

@@ -76,7 +76,7 @@ void declare_uncertainty(Keys& keys) {
 }  // namespace
 
 void declare_search(Schema& schema) {
-  Keys keys(schema, "search", "What is searched, with how much effort.");
+  Keys keys(schema, "search", "Base study, objectives and effort of the search.");
   keys.file("study", &SearchTable::study_file, "")
       .without_default()
       .doc(
