@@ -95,10 +95,10 @@ void declare_fill_place(Schema& schema) {
 }
 
 void declare_columns(Schema& schema) {
-  schema.list("column",
-              "A part of the bore that another fluid than that of [fill] fills; later ones "
-              "overwrite earlier ones.",
-              0, false);
+  schema.list(
+      "column",
+      "A part of the bore with another fluid than [fill]; later ones overwrite earlier ones.", 0,
+      false);
   TableKeys<FluidColumn> keys(schema, "column");
   keys.quantity("fluid", &FluidColumn::fluid, "kg/m^3", "water")
       .in("[0, 30000]")

@@ -30,9 +30,9 @@ void declare_tip(Schema& schema, const std::string& point_density) {
           "to slip.");
   keys.choice("drive", &Tip::drive, kDrives)
       .doc(
-          "What carries the prescribed motion: the pipette's points, which the grid mixes with "
-          "their surroundings by mass (the source), or every node that they touch, which is much "
-          "harsher.");
+          "Where the motion is prescribed: at the pipette's points, which the grid mixes with "
+          "their surroundings by mass (the source), or at every node that they touch, which is "
+          "much harsher.");
 }
 
 double Tip::density_with(double fluid_density, const GlassTube& tube) const {

@@ -65,7 +65,7 @@ void declare_vibration_output(Schema& schema) {
   keys.boolean("history", &VibrationOutput::history, true)
       .doc(
           "Whether the tip's motion of every run is kept, in history.csv. Sweeps of thousands of "
-          "runs want only amplitudes.csv, which is always written.");
+          "runs need only amplitudes.csv, which is always written.");
 
   keys.boolean("sensitivities", &VibrationOutput::sensitivities, false)
       .doc(
