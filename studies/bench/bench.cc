@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Fraction of the critical step, as studies take it.
+/// Fraction of the critical step, as in studies.
 constexpr double courant = 0.8;
 /// Wall time of a window [s]; the least of many windows is what the machine can do.
 constexpr double window = 0.1;
@@ -33,10 +33,10 @@ double sum(const mpm::StageSeconds& seconds) {
   return std::accumulate(seconds.begin(), seconds.end(), 0.0);
 }
 
-/// How long a step takes with one number of threads.
+/// Time of a step with a number of threads.
 struct Timing {
   int threads;
-  mpm::StageSeconds stages;  ///< each the least of all windows [s]
+  mpm::StageSeconds stages;  ///< each in its best window [s]
   double best;               ///< a whole step in the best window [s]
   double median;             ///< in the median window [s]
   int windows;
@@ -97,7 +97,7 @@ SceneResult measure(const Scene& scene, const std::vector<int>& threads, double 
   return result;
 }
 
-/// The time that moving the modelled bytes would take over the time taken.
+/// Time to move the modelled bytes over the time taken.
 double bandwidth_share(double bytes, double seconds, double triad) {
   return bytes / triad / seconds;
 }
@@ -212,8 +212,9 @@ int run_bench(const BenchOptions& options) {
                  threads[t] == 1 ? "" : "s");
     }
     fmt::print(
-        "\nns/point: least of all windows of {} s. B/point, flop/pt: what the stage has to move\n"
-        "and compute. bound: time of the triad for these bytes over the time taken. More in\n"
+        "\nns/point: best window of {} s. B/point, flop/pt: bytes that the stage has to move and "
+        "its\n"
+        "operations. bound: time of the triad for these bytes over the time taken. More in\n"
         "docs/performance.md.\n",
         window);
   }

@@ -8,11 +8,11 @@
 
 namespace zona::studies::bench {
 
-/// Something to step through.
+/// A model for benchmarks.
 struct Scene {
   std::string name;
   std::string description;
-  bool by_default;  ///< without being asked for by name
+  bool by_default;  ///< without being named
   std::function<mpm::Model()> make;
 };
 

@@ -4,9 +4,9 @@
 
 namespace zona::studies::bench {
 
-/// What a step has to move and to compute, by stage, from the fields that its code names: every
-/// field crosses the memory once a stage, and one that is only written is read to own its lines.
-/// Nodes are moved once a stage. Operations count a fused multiplication and addition as two.
+/// Bytes that a step has to move and its operations, by stage, from the fields in its code. Every
+/// field crosses the memory once per stage; a field that is only written is also read, to own its
+/// lines. Nodes move once per stage. A fused multiplication and addition counts as two operations.
 struct StepModel {
   std::array<double, mpm::stage_count> bytes{};
   std::array<double, mpm::stage_count> flops{};

@@ -17,8 +17,8 @@ namespace zona::studies {
 
 class Table;
 
-/// A word of a study file and the value that it stands for. A choice is declared and read by one
-/// list of them, so that a word without a value cannot be forgotten.
+/// A word of a study file and its value. One list both declares and reads a choice, so every word
+/// has a value.
 template <class T>
 struct Word {
   const char* word;
@@ -28,7 +28,7 @@ struct Word {
 template <class T>
 using Words = std::vector<Word<T>>;
 
-/// The texts of such a list, in its order.
+/// The words of such a list, in order.
 template <class T>
 std::vector<std::string> texts_of(const Words<T>& words) {
   std::vector<std::string> texts;
@@ -36,7 +36,7 @@ std::vector<std::string> texts_of(const Words<T>& words) {
   return texts;
 }
 
-/// The word that stands for a value.
+/// The word of a value.
 template <class T>
 std::string word_for(const Words<T>& words, const T& value) {
   for (const Word<T>& word : words)
@@ -44,7 +44,7 @@ std::string word_for(const Words<T>& words, const T& value) {
   throw std::logic_error("a choice has no word for one of its values");
 }
 
-/// The value that a word stands for.
+/// The value of a word.
 template <class T>
 T value_of(const Words<T>& words, const std::string& text) {
   for (const Word<T>& word : words)
@@ -95,7 +95,7 @@ inline void assign(const Setting& setting, std::vector<NamedQuantity>& value) {
 inline void assign(const Setting& setting, Eigen::Vector3d& value) {
   value = {setting.numbers.at(0), setting.numbers.at(1), setting.numbers.at(2)};
 }
-/// As the user wrote it, of whatever kind.
+/// The value as written, of any type.
 inline void assign(const Setting& setting, TomlValue& value) {
   value = setting.written;
 }

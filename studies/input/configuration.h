@@ -13,9 +13,9 @@
 
 namespace zona::studies {
 
-/// Where a table of a list begins, and what it is called.
+/// Name and place of a table of a list.
 struct ItemHeading {
-  std::string name;   ///< what its key `name` says; empty when that is no text
+  std::string name;   ///< its key `name`; empty if that is not a text
   std::string where;  ///< "file:line" or "--set"
   int line = 0;
 };
@@ -30,21 +30,21 @@ class Configuration {
 
   const std::string& kind() const { return schema_->kind(); }
   const Schema& schema() const { return *schema_; }
-  /// The study file as it was named.
+  /// Path of the study file, as given.
   const std::filesystem::path& file() const { return file_; }
-  /// Where relative paths in the study file start.
+  /// Base of relative paths in the study file.
   std::filesystem::path base_directory() const;
 
   bool has(const std::string& key) const { return schema_->find(key) != nullptr; }
-  /// Whether the key has a value: not where its conditions do not hold (Parameter::only_with).
+  /// Whether the key has a value; false where its conditions do not hold (Parameter::only_with).
   bool applies(const std::string& key) const { return settings_.count(key) > 0; }
   double quantity(const std::string& key) const;  ///< SI; a named choice gives its value
   double number(const std::string& key) const;
   long integer(const std::string& key) const;
   bool boolean(const std::string& key) const;
   const std::string& choice(const std::string& key) const;
-  const std::string& text(const std::string& key) const;     ///< as written, of any kind of text
-  std::filesystem::path path(const std::string& key) const;  ///< absolute; empty means none
+  const std::string& text(const std::string& key) const;         ///< as written; any type of text
+  std::filesystem::path path(const std::string& key) const;      ///< absolute; empty means none
   std::vector<double> quantities(const std::string& key) const;  ///< SI
   Formula formula(const std::string& key) const;
   std::vector<Formula> formulas(const std::string& key) const;
@@ -53,8 +53,8 @@ class Configuration {
   std::vector<std::string> texts(const std::string& key) const;  ///< as written, e.g. fluid names
 
   /// @{
-  /// Typed access by the struct T, or a member of it, that the schema binds to keys of a table that
-  /// is not a list. Asking for what the schema does not bind is a programming error.
+  /// Typed access to a table, not a list, by the struct T that the schema binds to it or by a
+  /// member of T. Asking for what the schema does not bind is a programming error.
   template <class T>
   T read() const;
   template <class T, class M>
@@ -86,14 +86,14 @@ class Configuration {
   std::vector<std::string> tables() const;
   /// Keys of a table that have a value, in the order of the schema.
   std::vector<std::string> keys_of(const std::string& table) const;
-  /// A key for people: items by their names, "body.left.density" for "body.0.density".
+  /// The key with items by name: "body.left.density" for "body.0.density".
   std::string shown_key(const std::string& key) const;
 
   bool is_auto(const std::string& key) const;
   bool is_default(const std::string& key) const;
   int line_of(const std::string& key) const;  ///< 0 for defaults and overrides
-  /// The problem that a key has, at its place: that of its value, of its table's heading in a list
-  /// where it has none, or the file.
+  /// A problem of a key, located at its value; without a value at the heading of its table in a
+  /// list, or at the file.
   Problem problem(const std::string& key, const std::string& message) const;
   const Setting& setting(const std::string& key) const;
 
@@ -110,8 +110,8 @@ class Configuration {
   std::map<std::string, std::vector<ItemHeading>> headings_;
 };
 
-/// One table of a study, e.g. [grid] or the first [[body]], whose values are asked for by the last
-/// parts of their keys. Lives no longer than its configuration.
+/// One table of a study, e.g. [grid] or the first [[body]]. Its members take the last part of a key
+/// ("cell"). Must not outlive its configuration.
 class Table {
  public:
   Table(const Configuration& study, std::string name) : study_(&study), name_(std::move(name)) {}
@@ -125,8 +125,7 @@ class Table {
   }
 
   /// @{
-  /// Typed access, as of Configuration, to this table of a list (or other table) that is bound to
-  /// T.
+  /// Typed access to this table, which must be bound to T.
   template <class T>
   T read() const;
   template <class T, class M>

@@ -15,8 +15,8 @@ namespace zona::studies {
 
 namespace {
 
-/// While it lives, invalid operations give NaN even where the program stops on them: a formula may
-/// be wrong without the program being so.
+/// Disables floating-point traps while it lives: an invalid operation in a user's formula gives
+/// NaN, which is reported.
 class QuietFloatingPoint {
  public:
   QuietFloatingPoint() { feholdexcept(&environment_); }
@@ -30,7 +30,7 @@ class QuietFloatingPoint {
 
 enum class Form { number, quantity, formula };
 
-/// What a text is meant to be: no formula begins with a number that a letter or digit follows.
+/// Form of a text. A number before a letter begins a quantity, never a formula.
 Form form_of(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string::npos) return Form::formula;
@@ -49,7 +49,7 @@ std::string advice(const Parameter& parameter) {
                      joined(parameter.variables, " and "));
 }
 
-/// "Unexpected token "q" found at character 3": muParser counts from 0 and only sometimes says so.
+/// muParser's message with the place counted from 1: "Unexpected token "q" found at character 3".
 std::string reason(const mu::Parser::exception_type& error) {
   std::string message = error.GetMsg();
   const std::size_t position = message.find(" at position");
@@ -59,7 +59,7 @@ std::string reason(const mu::Parser::exception_type& error) {
   return at < 0 ? message : fmt::format("{} at character {}", message, at + 1);
 }
 
-/// muParser takes "x = 1" for an assignment, where a comparison is meant.
+/// Refuses "x = 1", which muParser takes for an assignment.
 void refuse_assignment(const std::string& text) {
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     const char before = at > 0 ? text[at - 1] : ' ';

@@ -11,20 +11,20 @@
 
 namespace zona::studies {
 
-/// A text is no formula, or its value is not what it must be; what() says which and where.
+/// A text is not a formula, or its value is not allowed; what() says why and where.
 class FormulaError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A function that a study file gives as a text: of the place, "sin(pi*x)", or of time. Variables
+/// A function of place, "sin(pi*x)", or of time, written in a study file. Variables
 /// and value are in SI. The grammar is muParser's (+ - * / ^, sin, exp, sqrt, ..., a < b ? c : d),
 /// with pi. A quantity with its unit, "10 m/s", is a constant.
 ///
 /// Copies share one evaluator: do not call them from several threads at a time.
 class Formula {
  public:
-  /// Reads one item of a value of that declaration. Throws FormulaError.
+  /// Parses one item of the value of a parameter. Throws FormulaError.
   Formula(const std::string& text, const Parameter& parameter);
 
   /// The value [SI] of a constant.

@@ -7,7 +7,7 @@
 
 namespace zona::studies {
 
-/// One thing that is wrong with what the user asked for.
+/// One error in the input of the user.
 struct Problem {
   std::string where;    ///< "file:line", "file" or "--set"
   std::string key;      ///< dotted key, empty when the problem is not about one
@@ -19,7 +19,7 @@ struct Problem {
 };
 
 /// The input cannot be used. Carries every problem found, in the order of the file, so that a user
-/// repairs a study file in one go. The program answers it with exit code 2 and writes nothing.
+/// repairs a study file in one go. The program then exits with code 2 and writes nothing.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Problem> problems);
@@ -33,8 +33,8 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-/// A valid study could not be carried through (a point left the grid, a disk is full). The program
-/// answers it with exit code 3; what was written so far stays.
+/// A run of a valid study failed (a point left the grid, a disk is full). The program exits with
+/// code 3 and keeps what was written.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -94,7 +94,7 @@ double interpret_quantity(const Parameter& parameter, const TomlValue& value) {
   }
 }
 
-/// The value of a constant; zero stands for a formula, whose text is what counts.
+/// The value of a constant; zero for a formula, which is kept as a text.
 double interpret_formula(const Parameter& parameter, const TomlValue& value) {
   if (value.type == Type::integer || value.type == Type::number) {
     throw Unfit(
@@ -122,7 +122,7 @@ void interpret_choice(const Parameter& parameter, const TomlValue& value) {
 }
 
 /// Names appear in keys, headings of tables and files, so they are words; a number would be taken
-/// for the place in the list.
+/// for a position in the list.
 void interpret_name(const Parameter& parameter, const TomlValue& value) {
   if (value.type != Type::text) wrong_type(parameter, value);
   constexpr std::size_t longest = 40;
@@ -137,7 +137,7 @@ void interpret_name(const Parameter& parameter, const TomlValue& value) {
   }
 }
 
-/// A path that goes on to the system as a C string must not hide a part of itself.
+/// Refuses a null character, at which the system would cut the path.
 void interpret_file(const Parameter& parameter, const TomlValue& value) {
   if (value.type != Type::text) wrong_type(parameter, value);
   if (value.text.find('\0') != std::string::npos) {

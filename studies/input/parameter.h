@@ -23,8 +23,7 @@ struct Range {
   std::string text(const std::string& si_unit) const;
 };
 
-/// A key that only some kinds of an item have: it applies where the choice `key` of the same table
-/// has one of `values`.
+/// Condition under which a key applies: the choice `key` of the same table has one of `values`.
 struct Condition {
   std::string key;
   std::vector<std::string> values;
@@ -33,8 +32,8 @@ struct Condition {
   std::string text() const;
 };
 
-/// Everything that is declared about one key of a study file. Built by the calls of `Schema` and
-/// completed by the chained calls below; each returns the parameter itself.
+/// Declaration of one key of a study file. `Schema` creates it; the chained calls below complete it
+/// and return it.
 struct Parameter {
   enum class Kind { quantity, formula, number, integer, boolean, choice, text, name, file, any };
 
@@ -61,17 +60,17 @@ struct Parameter {
   Parameter& in(const std::string& interval);
   Parameter& one_of(std::vector<long> values);
   Parameter& or_auto();
-  /// or_auto, and that is the default.
+  /// or_auto, with "auto" as the default.
   Parameter& auto_by_default();
   Parameter& or_named(std::vector<NamedValue> named_values);
   Parameter& exactly(std::size_t count);
-  /// One value instead of a list of `exactly` so many stands for each of them.
+  /// A single value may stand for a list of `exactly` n equal ones.
   Parameter& or_one_for_all();
   Parameter& or_none();
-  /// The key applies only where `choice_key`, the last part of a choice declared before in the same
-  /// table, has one of the values; elsewhere it has no value, and giving one is a problem.
+  /// The key applies only where a choice of the same table, declared before, has one of the values;
+  /// `choice_key` is its last part. Elsewhere the key has no value, and setting it is a problem.
   Parameter& only_with(const std::string& choice_key, std::vector<std::string> values);
-  /// The same with a condition that is made already (TableKeys::is).
+  /// The same, with a condition from TableKeys::is.
   Parameter& only_where(Condition condition);
   /// Removes the default: every study file must set the key.
   Parameter& without_default();

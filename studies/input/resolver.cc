@@ -14,7 +14,7 @@ namespace zona::studies {
 
 namespace {
 
-/// What a base says for its own kind need not mean anything to the study that is based on it.
+/// A base may have keys of its own kind that the study does not know.
 bool is_known(const TomlEntry& entry, const std::vector<const Schema*>& schemas) {
   const auto item = item_key(entry.key);
   const bool is_table = entry.value.type == TomlValue::Type::table;

@@ -10,21 +10,22 @@
 
 namespace zona::studies {
 
-/// Makes a configuration of what a source holds, and gathers everything that is wrong with it; one
-/// object per load, its members called in this order.
+/// Turns a source into a configuration and collects all its problems. Use one object per load and
+/// call the members in this order.
 class Resolver {
  public:
   Resolver(const Schema& schema, const std::filesystem::path& file, const StudySource& source);
 
-  /// Checks and takes the value of an entry. `schemas` are those it may belong to instead.
+  /// Checks and stores the value of an entry. `schemas`: the kinds that an unknown key may belong
+  /// to.
   void take(const SourcedEntry& source, const std::vector<const Schema*>& schemas);
-  /// Defaults of what was not given, and which of what was given does not apply.
+  /// Adds defaults and reports keys that do not apply.
   void complete();
-  /// Names are used once, references name something, files exist.
+  /// Checks that names are unique and that what is referred to exists.
   void check_names();
   void check_files();
   void cross_check();
-  /// The configuration, or InputError with everything that was found, in the order of the file.
+  /// Returns the configuration. Throws InputError with all problems in the order of the file.
   Configuration result();
 
  private:

@@ -21,12 +21,12 @@ void Schema::list(const std::string& name, const std::string& documentation, std
                   bool must_be_named) {
   sections_.push_back({name, documentation, true, least});
   Parameter& parameter = add(name + ".name", Parameter::Kind::name, "\"auto\"");
-  parameter.doc("What it is called in messages, results and --set.");
+  parameter.doc("Name in messages, results and --set.");
   if (must_be_named) {
     parameter.without_default();
   } else {
     parameter.or_auto().doc(
-        "What it is called in messages, results and --set; \"auto\" is the table's number, from "
+        "Name in messages, results and --set; \"auto\" is the table's number, from "
         "0.");
   }
 }

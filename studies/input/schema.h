@@ -17,14 +17,13 @@ namespace zona::studies {
 class Configuration;
 class Table;
 
-/// Reports what a cross-check found against a key.
+/// Reports a problem of a key.
 using Complain = std::function<void(const std::string& key, const std::string& message)>;
 
-/// Looks at several values together. It runs only when the values that it asks for are valid by
-/// themselves.
+/// Checks several values together. Skipped if a value that it asks for is invalid.
 using CrossCheck = std::function<void(const Configuration&, const Complain&)>;
 
-/// The same for one table of a list; keys are complained of by their last part.
+/// The same for one table of a list; `complain` takes the last part of a key.
 using ItemCheck = std::function<void(const Table&, const Complain&)>;
 
 /// A table of a study file, e.g. [grid], or a list of tables, e.g. [[body]].
@@ -32,7 +31,7 @@ struct Section {
   std::string name;
   std::string documentation;
   bool is_list = false;
-  std::size_t least = 0;  ///< tables that a list must have
+  std::size_t least = 0;  ///< minimum number of tables in a list
 
   /// As it stands in a study file: "[grid]", "[[body]]".
   std::string heading() const { return is_list ? "[[" + name + "]]" : "[" + name + "]"; }
@@ -44,8 +43,8 @@ struct Section {
 ///     schema.section("drop", "The drop.");
 ///     schema.quantity("drop.diameter", "m", "2 mm").in("(0, 0.1]").doc("Diameter at rest.");
 ///
-/// A list of tables is declared as one of them is; the values of its second table have keys such as
-/// "wall.1.height" (or, where its name is "left", "wall.left.height"):
+/// A list of tables is declared like a single table; the values of its second table have keys such
+/// as "wall.1.height" (or, where its name is "left", "wall.left.height"):
 ///
 ///     schema.list("wall", "Walls.");
 ///     schema.quantity("wall.height", "m", "2 mm").doc("Height.");
@@ -58,8 +57,8 @@ class Schema {
   /// Declares the table that the following keys belong to.
   void section(const std::string& name, const std::string& documentation);
 
-  /// Declares a list of at least so many tables, each with a name of its own (key `name`): one that
-  /// must be given, or one that is `auto`, by number.
+  /// Declares a list of `least` tables or more. Each has a key `name`, which must be given or is by
+  /// default "auto", its number.
   void list(const std::string& name, const std::string& documentation, std::size_t least,
             bool must_be_named);
 
@@ -83,7 +82,7 @@ class Schema {
                      const std::vector<std::string>& values);
   Parameter& text(const std::string& key, const std::string& value);
   Parameter& texts(const std::string& key, const std::vector<std::string>& values);
-  /// Values that stand for those of another key, of whatever kind that is; none by default.
+  /// Values for another key, of its type; none by default.
   Parameter& anything(const std::string& key);
   /// One such value, "auto" by default.
   Parameter& bound(const std::string& key);
@@ -96,7 +95,7 @@ class Schema {
   /// Binds keys of a table, or of the items of a list, to members of T (TableKeys).
   template <class T>
   Binding<T>& bind(const std::string& section);
-  /// The keys that are bound to T. That there are none is a programming error.
+  /// The keys bound to T. Throws std::logic_error if there are none.
   template <class T>
   const Binding<T>& binding() const;
   template <class T>
@@ -104,13 +103,14 @@ class Schema {
     return bindings_.count(typeid(T)) > 0;
   }
 
-  /// Checks declared from now on run only for studies for which this holds; for all if it is empty.
+  /// Restricts the checks declared next to studies for which `applies` holds; an empty one lifts
+  /// the restriction.
   void check_only_where(std::function<bool(const Configuration&)> applies) {
     checked_ = std::move(applies);
   }
   void check(CrossCheck cross_check);
   void check_each(const std::string& list, ItemCheck check);
-  /// The same for one table, or each item of a list; it must have been declared.
+  /// Checks one table, or each item of a list, declared before.
   void check_table(const std::string& name, ItemCheck check);
 
   const std::string& kind() const { return kind_; }

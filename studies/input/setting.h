@@ -18,7 +18,7 @@ struct Setting {
   std::string where;                ///< "file:line" or "--set"; empty for a default
   int line = 0;                     ///< 0 for defaults and overrides
   std::filesystem::path directory;  ///< where relative paths start; empty: at the study file
-  bool is_inherited = false;        ///< whether it stands in a file that the study is based on
+  bool is_inherited = false;        ///< given in a file that the study is based on
 };
 
 }  // namespace zona::studies

@@ -8,15 +8,15 @@
 
 namespace zona::studies {
 
-/// Where the tables of a list begin, e.g. all [[body]], in their order.
+/// Headings of the tables of a list, e.g. of all [[body]], in order.
 std::vector<ItemHeading> headings_of(const std::vector<SourcedEntry>& entries,
                                      const std::string& list);
 
-/// "body.0.density" for "body.left.density", where the first body is called left; any other key as
-/// it is.
+/// The key with the item by number: "body.0.density" for "body.left.density" if the first body is
+/// called left. Other keys stay.
 std::string with_item_numbers(const std::vector<SourcedEntry>& entries, const std::string& key);
 
-/// Takes a list with all that belongs to it out of the entries.
+/// Removes a list and all its keys from the entries.
 void erase_list(std::vector<SourcedEntry>& entries, const std::string& list);
 
 }  // namespace zona::studies

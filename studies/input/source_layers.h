@@ -6,10 +6,9 @@
 
 namespace zona::studies {
 
-/// Puts the entries of a nearer layer, a file or one override, over those that are there. Keys of
-/// items may have their names ("body.left.density"). A list of tables ([[body]]) replaces the one
-/// that is there, also by an empty one. A key that an equally near layer has set already is a
-/// problem.
+/// Adds the entries of a nearer layer, a file or an override, which replace those of farther
+/// layers. Items may be given by name ("body.left.density"). A list of tables ([[body]]), even an
+/// empty one, replaces the whole list. Setting a key twice at the same distance is a problem.
 void amend(StudySource& source, std::vector<SourcedEntry> layer);
 
 }  // namespace zona::studies

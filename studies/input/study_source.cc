@@ -74,7 +74,7 @@ std::vector<SourcedEntry> override_layer(const std::string& text, StudySource& s
   std::vector<SourcedEntry> layer;
   for (TomlEntry& entry : parse_override(text, source)) {
     if (entry.key == "base") {
-      source.problems.push_back(override_problem("base", "belongs into a study file"));
+      source.problems.push_back(override_problem("base", "belongs in a study file"));
       continue;
     }
     entry.value.line = 0;

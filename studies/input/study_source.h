@@ -14,16 +14,16 @@ struct SourcedEntry {
   TomlEntry entry;
   std::string where;  ///< "file:line" or "--set"
   int line = 0;       ///< 0 for an override
-  /// How far from the user's last word: 0 an override, 1 the study file, 2 its base, ...
+  /// 0 for an override, 1 for the study file, 2 for its base, ...
   int layer = 0;
   std::filesystem::path
       directory;        ///< where relative paths in the value start; empty: as a study's
-  bool amends = false;  ///< whether it stands above another layer
+  bool amends = false;  ///< whether it changes a farther layer
 
   bool is_inherited() const { return layer > 1; }
 };
 
-/// What the user wrote, before anything is known about the study kind.
+/// The input of the user, before the study kind is known.
 struct StudySource {
   std::vector<SourcedEntry> entries;  ///< nearer layers replace entries of farther ones
   std::vector<Problem> problems;      ///< of the overrides and of `base`

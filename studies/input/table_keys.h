@@ -8,8 +8,8 @@
 
 namespace zona::studies {
 
-/// Declares keys of a table, each together with the member of T that it is read into. One struct,
-/// declared once, is then all that code needs to know of the table:
+/// Declares keys of a table, each together with the member of T that it is read into. Other code
+/// then needs only this struct:
 ///
 ///     struct Drop {
 ///       double diameter;  ///< [m]
@@ -108,7 +108,7 @@ class TableKeys {
     bind(leaf, member);
     return with_conditions(schema_.texts(key(leaf), values));
   }
-  /// Values that stand for those of another key, as written.
+  /// Values for another key, as written.
   template <class C>
   Parameter& anything(const char* leaf, std::vector<TomlValue> C::*member) {
     bind(leaf, member);

@@ -69,7 +69,7 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// One and a half ways to write a micro sign; UDUNITS-2 knows neither in every place.
+/// Replaces the micro signs of Unicode, which UDUNITS-2 does not accept everywhere.
 std::string with_ascii_micro(std::string_view text) {
   std::string result(text);
   for (const char* micro : {"\u00b5", "\u03bc"}) {

@@ -27,7 +27,7 @@ void declare_bath(Schema& schema) {
       .doc("Shear viscosity of the liquid; water at 25 degrees Celsius.");
   keys.quantity("immersed_length", &Bath::immersed_length, "m", "1 mm")
       .in("[0, 1]")
-      .doc("How far the pipette dips in, from the tip; its length and more is all of it.");
+      .doc("Immersed length from the tip; the pipette's length or more immerses all of it.");
   keys.quantity("frequency", &Bath::frequency, "Hz", "10 kHz")
       .in("(0, 1e9]")
       .doc("The frequency of model = \"constant\"; the others ignore it.");
@@ -36,14 +36,14 @@ void declare_bath(Schema& schema) {
       .called("C_D")
       .doc(
           "Coefficient of a quadratic drag on top of the linear one, rho C_D D |v| v / 2; "
-          "integrators \"newmark\" and \"arkode\" only. Of order one where the tip moves by more "
-          "than its diameter.");
+          "integrators \"newmark\" and \"arkode\" only. It is of order one if the tip moves by "
+          "more than its diameter.");
   keys.quantity("wall_distance", &Bath::wall_distance, "m", "auto")
       .in("(0, 1]")
       .or_auto()
       .doc(
-          "Distance of the pipette's axis from the nearest wall, such as the dish's floor; only "
-          "warned of when it is too near. \"auto\" is far away.");
+          "Distance of the pipette's axis from the nearest wall, such as the dish's floor; used "
+          "only to warn when it is too near. \"auto\" is far away.");
 }
 
 beam::Bath Bath::bath() const {

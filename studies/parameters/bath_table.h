@@ -7,7 +7,7 @@
 
 namespace zona::studies {
 
-/// The liquid that a beam dips into.
+/// The liquid around a beam.
 struct Bath {
   beam::BathModel model;
   double density;                       ///< [kg/m^3]

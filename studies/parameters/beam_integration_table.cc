@@ -47,7 +47,7 @@ void declare_beam_integration(Schema& schema, const std::string& section, Integr
   TableKeys<BeamIntegration> keys(schema, section);
   keys.quantity("end", &BeamIntegration::end, "s", "5 ms")
       .in("(0, 10]")
-      .doc("Time that the beam is followed, from the start of the pulse (5.5).");
+      .doc("End of the simulation, from the start of the pulse (5.5).");
   keys.quantity("step", &BeamIntegration::step, "s", "0.6 us")
       .in("(0, 1]")
       .called("Delta t")
@@ -76,7 +76,7 @@ beam::Integrator BeamIntegration::integrator_of(const beam::BeamSystem& system) 
     case IntegratorName::transform:
       return beam::Transform{};
     case IntegratorName::modal: {
-      // A bore's fluid at each mode's own frequency would be a poor guess.
+      // The load of the bore's fluid at the mode's frequency would be a poor approximation.
       const auto& loads = system.liquids.viscous;
       const bool is_filled_rod = std::any_of(loads.begin(), loads.end(), [](const auto& load) {
         return load.flow == beam::Flow::within;

@@ -7,7 +7,7 @@ namespace zona::studies {
 
 enum class IntegratorName { newmark, arkode, modal, transform };
 
-/// How the beam is followed in time.
+/// Time integration of the beam.
 struct BeamIntegration {
   double end;   ///< [s]
   double step;  ///< of the samples [s]

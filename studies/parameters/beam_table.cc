@@ -11,8 +11,9 @@ void check_profile(const Configuration& study, const Complain& complain) {
   for (const auto diameter : {&Beam::shoulder_outer_diameter, &Beam::shoulder_inner_diameter}) {
     if (!study.value(diameter)) continue;
     complain(study.key(diameter),
-             fmt::format("is given beside {}, which says the diameters already; remove one of them",
-                         study.key(&Beam::profile)));
+             fmt::format(
+                 "is given together with {}, which already gives the diameters; remove one of them",
+                 study.key(&Beam::profile)));
   }
 }
 

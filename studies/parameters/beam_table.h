@@ -8,7 +8,7 @@
 
 namespace zona::studies {
 
-/// The pipette as a beam, beyond its tip (GlassTube).
+/// The pipette as a beam, besides its tip (GlassTube).
 struct Beam {
   double length;          ///< free length [m]
   double youngs_modulus;  ///< [Pa]
@@ -23,7 +23,7 @@ struct Beam {
 };
 
 /// Keys of the beam, in a section that is open, with a default number of elements. Complains of
-/// shoulders beside a profile.
+/// shoulders together with a profile.
 void declare_beam(Schema& schema, const std::string& section, long elements);
 
 }  // namespace zona::studies

@@ -5,7 +5,7 @@
 
 namespace zona::studies {
 
-/// Words for what happens at a face of the grid.
+/// Words for the conditions at a face of the grid.
 inline const Words<mpm::FaceCondition> kFaceConditions{
     {"free", mpm::FaceCondition::free},
     {"roller", mpm::FaceCondition::roller},

@@ -17,10 +17,10 @@ void declare_viscosity(TableKeys<T>& keys) {
       .in("(0, 1e6]")
       .or_auto()
       .doc(
-          "Shear viscosity of the fluid: how well it follows the wall when the pipette moves along "
-          "itself. Counts where pulse.angle is not 90 deg; across the pipette a fluid moves as the "
-          "wall does. \"auto\" is that of the named fluid at 25 degrees Celsius, for one given by "
-          "density that of water.");
+          "Shear viscosity of the fluid, with which it follows the wall when the pipette moves "
+          "along itself. Used where pulse.angle is not 90 deg; across the pipette a fluid moves "
+          "with the wall. \"auto\" is that of the named fluid at 25 degrees Celsius, or of water "
+          "for a fluid given by density.");
 }
 
 void check_span(const Configuration& study, const Complain& complain, double start,
@@ -84,21 +84,21 @@ void declare_fill_place(Schema& schema) {
   keys.quantity("start", &FillPlace::start, "m", "0 mm")
       .in("[0, 1]")
       .doc(
-          "Where in the bore the fluid begins, from the tip. In practice mercury stands far "
+          "Beginning of the fluid in the bore, from the tip. In practice mercury stands far "
           "upstream: its 0.5 to 1 uL are a thousand times what the free length of such a bore "
           "holds.");
   keys.quantity("end", &FillPlace::end, "m", "auto")
       .in("(0, 1]")
       .or_auto()
-      .doc("Where the fluid ends, from the tip; \"auto\" at the support.");
+      .doc("End of the fluid, from the tip; \"auto\" is the support.");
   schema.check(check_place);
 }
 
 void declare_columns(Schema& schema) {
-  schema.list("column",
-              "A part of the bore that another fluid than that of [fill] fills; later ones "
-              "overwrite earlier ones.",
-              0, false);
+  schema.list(
+      "column",
+      "A part of the bore with another fluid than [fill]; later ones overwrite earlier ones.", 0,
+      false);
   TableKeys<FluidColumn> keys(schema, "column");
   keys.quantity("fluid", &FluidColumn::fluid, "kg/m^3", "water")
       .in("[0, 30000]")
@@ -107,11 +107,11 @@ void declare_columns(Schema& schema) {
   declare_viscosity(keys);
   keys.quantity("start", &FluidColumn::start, "m", "0 mm")
       .in("[0, 1]")
-      .doc("Where it begins, from the tip.");
+      .doc("Its beginning, from the tip.");
   keys.quantity("end", &FluidColumn::end, "m", "auto")
       .in("(0, 1]")
       .or_auto()
-      .doc("Where it ends, from the tip; \"auto\" at the support.");
+      .doc("Its end, from the tip; \"auto\" is the support.");
   schema.check_each("column", check_column);
 }
 

@@ -22,7 +22,7 @@ struct Fills {
   std::vector<NamedQuantity> fluids;  ///< densities [kg/m^3]
 };
 
-/// Where in the bore the fluid of [fill] stands.
+/// Place of the fluid of [fill] in the bore.
 struct FillPlace {
   std::optional<double> viscosity;  ///< [Pa s]; empty: the named fluid's, else water's
   double start;                     ///< from the tip [m]
@@ -45,15 +45,14 @@ void declare_fill_place(Schema& schema);
 /// The list [[column]].
 void declare_columns(Schema& schema);
 
-/// The fluid or fluids of [fill], with the names that the study gives them, a density for one
-/// without. The viscosity of each is fill.viscosity, or else its own, or, of a fluid given by
-/// density, that of water.
+/// The fluid or fluids of [fill], named as in the study, by density if they have no name. The
+/// viscosity of each is fill.viscosity, else its own, else that of water.
 std::vector<beam::Fluid> fills_of(const Configuration& study);
 
 /// The viscosity [Pa s] of a fluid by this name: the given one, else its own, else that of water.
 double viscosity_of(const std::optional<double>& given, const std::string& fluid);
 
-/// Complains about values that a list has twice; each makes a run with a name of its own.
+/// Complains of values that a list has twice, because each names a run.
 void check_distinct(const std::string& key, const std::vector<double>& values,
                     const Configuration& study, const Complain& complain);
 

@@ -126,8 +126,8 @@ void declare_plasticity(Schema& schema, const std::string& section,
       .in("[0, 1e13]")
       .called("E_s")
       .doc(
-          "Fall of the strength behind its peak, down to zero; at sqrt(6) times the shear modulus "
-          "and above nothing is left at once.");
+          "Fall of the strength after its peak, down to zero; from sqrt(6) times the shear modulus "
+          "on it is lost at once.");
   schema.check_table(section, check_plasticity);
 }
 
@@ -137,7 +137,7 @@ void declare_separation(Schema& schema, const std::string& section,
   keys.quantity("reference_opening", &Separation::reference_opening, "m", "1e-8 m")
       .in("(0, 1]")
       .called("u_0")
-      .doc("Opening at which a surface of decohesion carries nothing any more (5.36) (5.4).");
+      .doc("Opening at which a surface of decohesion no longer carries traction (5.36) (5.4).");
   keys.number("decohesion_exponent", &Separation::decohesion_exponent, 1)
       .in("[1, 100]")
       .called("q")
@@ -147,7 +147,7 @@ void declare_separation(Schema& schema, const std::string& section,
       .called("c_m")
       .doc(
           "Shear over tensile strength of the surface: 10 opens it (mode I), 0.1 slides it (mode "
-          "II), 1 does as the traction. Below (5.40) the source prints the ratio upside down.");
+          "II), 1 follows the traction. Below (5.40) the source prints the ratio upside down.");
   keys.quantity("reference_traction", &Separation::reference_traction, "Pa", "auto")
       .in("(0, 1e13]")
       .or_auto()
@@ -164,7 +164,7 @@ void declare_bifurcation(Schema& schema, const std::string& section,
       .doc(
           "How the direction of decohesion is found: with the tangent of plane stress, its normal "
           "in the membrane; or by (5.28)-(5.31) for three dimensions with the third stress zero, "
-          "the angle laid into the membrane.");
+          "with the angle taken in the membrane.");
 }
 
 void declare_one_way(Schema& schema, const std::string& section,
@@ -181,8 +181,8 @@ void declare_stress_update(Schema& schema, const std::string& section,
   keys_in<MembraneOptions>(schema, section, conditions)
       .choice("stress_update", &MembraneOptions::stress_update, kStressUpdates)
       .doc(
-          "Of an elastic membrane: its stress from the total local strain, or as the sum of what "
-          "increments of it give (5.42); one and the same curve (Figure 5.9).");
+          "Stress of an elastic membrane: from the total local strain, or summed over its "
+          "increments (5.42); both give the same curve (Figure 5.9).");
 }
 
 void declare_kinematics(Schema& schema, const std::string& section,

@@ -36,7 +36,7 @@ struct Plasticity {
 
   mpm::VonMises law() const;
 };
-/// Complains unless strengths and moduli go together.
+/// Complains of incompatible strengths and moduli.
 void declare_plasticity(Schema& schema, const std::string& section,
                         const Plasticity::Defaults& defaults,
                         const std::vector<Condition>& conditions = {});
@@ -54,15 +54,14 @@ struct Separation {
 void declare_separation(Schema& schema, const std::string& section,
                         const std::vector<Condition>& conditions = {});
 
-/// Von Mises plasticity with the keys of a table, which has those of Plasticity; with decohesion
-/// where it has those of Separation, too, and they are wanted. `cell` are the edges of the grid's
-/// cells [m].
+/// Von Mises plasticity from a table with the keys of Plasticity; with decohesion from those of
+/// Separation, if wanted. `cell` are the edges of the grid's cells [m].
 mpm::VonMises plastic_law(const Table& table, bool with_decohesion, const Eigen::Vector3d& cell);
 
-/// How a membrane's strain follows its motion.
+/// Kinematics of a membrane's strain.
 enum class MembraneKinematics { source, objective };
 
-/// How the stress of an elastic membrane follows its strain (5.42).
+/// Stress update of an elastic membrane (5.42).
 enum class StressUpdate { total, increments };
 
 /// Choices of a membrane's kinematics and laws; each is declared by a call of its own.

@@ -4,7 +4,7 @@
 
 namespace zona::studies {
 
-/// What a body is made of.
+/// Materials of a body.
 enum class MaterialName { solid, gas, liquid, membrane, rigid };
 
 inline const Words<MaterialName> kMaterialNames{{"solid", MaterialName::solid},

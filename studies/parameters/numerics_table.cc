@@ -19,8 +19,8 @@ const char* const kInterpolationText =
     "Shape functions: trilinear as the source (3.7)-(3.11), or quadratic B-splines, whose "
     "gradients do not jump where points cross cells.";
 const char* const kAverageVolumeText =
-    "Average the volumetric strain rate, and the pressure that acts, over the points of each cell: "
-    "against noise in the pressure of single points.";
+    "Average the volumetric strain rate, and the pressure that acts, over the points of each cell, "
+    "which reduces noise in the pressure of single points.";
 const char* const kEnergyIncrementText =
     "Which pressure does the work of a step in (4.40): that at its end, as in the source, which "
     "heats a fluid that is compressed and expanded; or the mean of both ends.";
@@ -31,10 +31,10 @@ void declare_pic_and_damping(Schema& schema) {
       .in("[0, 1]")
       .doc(
           "Fraction of PIC in the points' velocity: 0 is FLIP (3.37), 1 takes all of it from the "
-          "grid and damps what the grid does not see.");
+          "grid and damps motions that the grid does not resolve.");
   keys.number("damping", &mpm::Numerics::damping, 0)
       .in("[0, 1)")
-      .doc("Local non-viscous damping of the nodal forces, for problems that are to come to rest.");
+      .doc("Local non-viscous damping of the nodal forces, for problems that come to rest.");
 }
 
 }  // namespace zona::studies

@@ -7,8 +7,8 @@
 
 namespace zona::studies {
 
-/// Choices of the scheme that every study of the material point method offers, each in the table
-/// where that study has it; the defaults are the source's.
+/// Choices of the scheme in every study of the material point method. The defaults are the
+/// source's.
 const Words<mpm::Interpolation>& interpolations();
 const Words<mpm::EnergyIncrement>& energy_increments();
 extern const char* const kInterpolationText;

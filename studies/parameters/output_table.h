@@ -7,7 +7,7 @@
 
 namespace zona::studies {
 
-/// What a simulation writes into its run directory, and when.
+/// Output of a simulation.
 struct Output {
   std::optional<double> history_interval;  ///< between rows of history.csv [s]; empty: end / 500
   std::optional<double> fields_interval;   ///< between frames [s]; empty: end / 20

@@ -110,11 +110,11 @@ std::vector<std::string> bath_warnings(const Configuration& study,
   if (speed * diameter / viscosity > 5)
     warnings.push_back(fmt::format(
         "the Reynolds number of the tip's speed, {:.2g} m/s, is {:.2g}; above about 5 the "
-        "flow separates, which the linear load does not know",
+        "flow separates, which the linear load ignores",
         speed, speed * diameter / viscosity));
   if (immersed < 10 * diameter)
     warnings.push_back(fmt::format(
-        "{:.3g} um are immersed, {:.2g} diameters; the load of a long cylinder wants 10",
+        "{:.3g} um are immersed, {:.2g} diameters; the load of a long cylinder needs 10",
         immersed * 1e6, immersed / diameter));
   if (bath.wall_distance) {
     // Stokes' layer at the frequency of the tip's swing.

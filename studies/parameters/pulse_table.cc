@@ -79,7 +79,7 @@ void declare_displacement(TableKeys<Pulse>& keys, bool with_sine) {
 void declare_controller(TableKeys<Pulse>& keys) {
   keys.quantity("voltage", &Pulse::voltage, "V", "10 V")
       .in("(0, 1000]")
-      .doc("Setting of the controller; counts where peak = \"auto\".");
+      .doc("Setting of the controller; used where peak = \"auto\".");
   keys.quantity("gain", &Pulse::gain, "m/V", "1.79 um/V")
       .in("(0, 1e-3]")
       .doc(
@@ -95,13 +95,13 @@ void declare_controller(TableKeys<Pulse>& keys) {
 void declare_course(TableKeys<Pulse>& keys) {
   keys.number("rise_fraction", &Pulse::rise_fraction, 0.25)
       .in("(0, 0.5]")
-      .doc("Part of a trapezoid's duration in which it rises, and falls again.");
+      .doc("Fraction of a trapezoid's duration for its rise, and for its fall.");
   keys.integer("count", &Pulse::count, 1)
       .in("[1, 100000]")
-      .doc("Pulses in a train, not of a sine.");
+      .doc("Number of pulses in a train; not for a sine.");
   keys.quantity("repetition_rate", &Pulse::repetition_rate, "Hz", "100 Hz")
       .in("(0, 1e6]")
-      .doc("How often the pulses of a train begin.");
+      .doc("Rate of the pulses in a train.");
   keys.file("trace", &Pulse::trace, "")
       .doc(
           "CSV file of a measured motion of the support, `time [us], displacement [um]`, from 0; "

@@ -16,22 +16,22 @@ void declare_threads_and_log(Schema& schema) {
   keys.integer("threads", &Run::threads, 0).in("[0, 4096]").doc("Number of threads; 0 takes all.");
   keys.choice("log_level", &Run::log_level, kLogLevels)
       .doc(
-          "What log.txt holds: \"debug\" adds every frame; \"warning\" and \"error\" leave out "
-          "what went well.");
+          "Detail of log.txt: \"debug\" adds every frame; \"warning\" and \"error\" keep only "
+          "those.");
 }
 
 void declare_run(Schema& schema) {
-  schema.section("run", "How the program runs. The results do not depend on it.");
+  schema.section("run", "Settings of the program, which do not change the results.");
   declare_threads_and_log(schema);
   TableKeys<CheckpointIntervals> keys(schema, "run");
   keys.quantity("checkpoint_interval", &CheckpointIntervals::checkpoint_interval, "s", "300 s")
       .in("[0, 1e7]")
       .doc(
-          "Wall time between two checkpoints, from which --resume goes on; with 0 they are left to "
+          "Wall time between two checkpoints, from which --resume continues; 0 leaves them to "
           "checkpoint_steps. The latest two are kept until the run is complete.");
   keys.integer("checkpoint_steps", &CheckpointIntervals::checkpoint_steps, 0)
       .in("[0, 1000000000]")
-      .doc("Steps between two checkpoints, next to those by time; 0 makes none.");
+      .doc("Steps between two checkpoints, besides those by time; 0 makes none.");
 }
 
 }  // namespace zona::studies

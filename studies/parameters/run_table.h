@@ -6,13 +6,13 @@
 
 namespace zona::studies {
 
-/// How the program runs.
+/// Settings of the program.
 struct Run {
   int threads;  ///< 0: all
   spdlog::level::level_enum log_level;
 };
 
-/// When a run of many steps stores its state.
+/// Intervals of checkpoints.
 struct CheckpointIntervals {
   double checkpoint_interval;  ///< wall time [s]; 0: none by time
   long checkpoint_steps;       ///< 0: none by steps

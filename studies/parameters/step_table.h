@@ -7,7 +7,7 @@
 
 namespace zona::studies {
 
-/// What [time] says of the step.
+/// The step of [time].
 struct StepChoice {
   std::optional<double> step;  ///< [s]; empty: courant times the critical step
   double courant;              ///< fraction of the critical step [-]

@@ -4,7 +4,7 @@
 
 namespace zona::studies {
 
-/// The glass tube of the injection pipette, where it meets the oocyte.
+/// The glass tube of the injection pipette at its tip.
 struct GlassTube {
   double outer_diameter;  ///< [m]
   double inner_diameter;  ///< of the bore [m]; zero for a solid rod

@@ -146,7 +146,7 @@ double admissible(const System& system, const VectorXd& step, const MeridianStat
   return share;
 }
 
-/// The state is an equilibrium: summed strains take the increments since the last one.
+/// Accepts an equilibrium: adds the strain increments since the last one.
 void keep(const Meridian& meridian, MeridianState& state) {
   for (int e = 0; meridian.summed && e + 1 < meridian.nodes(); ++e) {
     state.summed[e] =
@@ -194,7 +194,7 @@ int find_equilibrium(const Meridian& meridian, const MeridianLoads& loads, Merid
     const VectorXd before = state.position;
     const double pressure = state.pressure, error = system.error();
     double share = admissible(system, step, state);
-    // Halve while the error grows much; the last try stands, because wrinkling makes kinks.
+    // Halve the step while the error grows much; keep the last try, because wrinkling makes kinks.
     for (int halving = 0; halving < 6; ++halving, share *= 0.5) {
       state.position = before;
       state.pressure = pressure;

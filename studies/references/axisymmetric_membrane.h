@@ -21,7 +21,7 @@ struct Meridian {
   int nodes() const { return static_cast<int>(reference.size()) / 2; }
 };
 
-/// What holds and loads the membrane.
+/// Supports and loads of the membrane.
 struct MeridianLoads {
   std::vector<int> unknown;  ///< per coordinate the number of its unknown; -1 holds it. Coordinates
                              ///< with one number move by the same amount

@@ -2,7 +2,7 @@
 
 namespace zona::studies::references {
 
-/// An elastic body that meets another one with a plane face.
+/// An elastic body with a plane contact face.
 struct ImpactBody {
   double youngs_modulus;  ///< [Pa]
   double poisson_ratio;   ///< [-]
@@ -49,8 +49,8 @@ ImpactState impact_state(const BodyImpact& impact, ImpactSide side, double dista
 struct ImpactWindow {
   double arrival;          ///< of the front from the contact
   double lateral_release;  ///< first arrival from a free edge: the plateau is not exact any more
-  double rear_release;     ///< first arrival from a rear face, the own or, through the contact, the
-                           ///< other body's
+  double rear_release;     ///< first arrival from a rear face: its own or, through the contact, the
+                           ///< other's
   /// End of the exact plateau.
   double end() const { return lateral_release < rear_release ? lateral_release : rear_release; }
 };
@@ -62,8 +62,8 @@ struct ImpactWindow {
 ImpactWindow impact_window(const BodyImpact& impact, ImpactSide side, double distance,
                            double from_edge);
 
-/// Where Figure 3.4 put point A is lost. Here: in the target, 25 mm behind the contact, at
-/// mid-height: near the contact, yet five cells or more from it on the two finer grids.
+/// The place of point A in Figure 3.4 is not given. Here: in the target, 25 mm behind the contact,
+/// at mid-height: near the contact, yet five cells or more from it on the two finer grids.
 struct ImpactProbe {
   ImpactSide side = ImpactSide::target;
   double distance = 0.025;  ///< [m]

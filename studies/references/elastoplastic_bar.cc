@@ -19,7 +19,7 @@ void check(const SteppedBar& bar, double x, double time) {
   require(time >= 0, "the bar is known from t = 0 on, not at " + std::to_string(time) + " s");
 }
 
-/// What the mid-section carries of an arriving p.
+/// The part of an arriving p that the mid-section carries.
 double carried(const SteppedBar& bar, double p) {
   return std::clamp(p, -bar.yield_stress, bar.yield_stress);
 }

@@ -2,8 +2,8 @@
 
 namespace zona::studies::references {
 
-/// A bar at rest whose two ends are pulled outwards by a stress that starts at t = 0 and stays:
-/// elastic, perfectly plastic, Poisson's ratio 0.
+/// A bar at rest; from t = 0 on a constant stress pulls both ends outwards. Elastic, perfectly
+/// plastic, Poisson's ratio 0.
 struct SteppedBar {
   double length;          ///< [m]
   double youngs_modulus;  ///< [Pa]
@@ -28,7 +28,7 @@ struct BarState {
   double plastic_strain;     ///< axial; without the concentrated one of the mid-section [-]
 };
 
-/// The bar whose sides are free: uniaxial stress, exact for all times, x in [0, L].
+/// The bar with free sides: uniaxial stress, exact for all times, x in [0, L].
 ///
 /// Elastically sigma - Z v = p travels to the right and sigma + Z v = q to the left, Z = rho c. An
 /// end answers q with p = 2 step - q. Where the two fronts meet, at L/2, elasticity would give
@@ -44,10 +44,10 @@ BarState free_bar_state(const SteppedBar& bar, double x, double time);
 /// Plastic elongation of the mid-section of the bar with free sides [m].
 double mid_section_opening(const SteppedBar& bar, double time);
 
-/// The bar whose sides are held (one-dimensional strain), for t <= L/c.
+/// The bar with held sides (one-dimensional strain), for t <= L/c.
 ///
 /// Until the fronts meet it is the same, because Poisson's ratio is 0. Then the elastic front back
-/// from the middle again carries the yield stress, but behind it the stress goes on rising: lateral
+/// from the middle again carries the yield stress, but behind it the stress keeps rising: lateral
 /// stress builds up, the tangent modulus is the bulk modulus E/3, and a plastic front runs at
 /// c/sqrt(3). Behind that the material is at rest with the axial stress s_y + (2 step -
 /// s_y)/sqrt(3) and an equivalent stress of s_y. The equivalent stress, which Figure 3.8 draws, is

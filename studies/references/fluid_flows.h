@@ -33,8 +33,8 @@ struct StandingWave {
   double speed;        ///< U, amplitude of the velocity [m/s]
 
   double wave_number() const;
-  /// delta = (4/3 mu)/(2 rho) k^2 [1/s]: amplitudes fall with exp(-delta t), energies with twice
-  /// it.
+  /// delta = (4/3 mu)/(2 rho) k^2 [1/s]: amplitudes decay as exp(-delta t), energies as exp(-2
+  /// delta t).
   double decay_rate() const;
   /// sqrt(c^2 k^2 - delta^2) [rad/s]. Throws ModelError when the wave is overdamped.
   double angular_frequency() const;
@@ -50,7 +50,7 @@ struct AcousticState {
 /// without heat conduction), a(0) = 0, a'(0) = U. The pressure is -rho c^2 k cos(k x) a.
 AcousticState standing_wave(const StandingWave& wave, double x, double time);
 
-/// Motion of anything that falls freely.
+/// Free fall.
 struct FreeFall {
   double position;  ///< z0 + v0 t - g t^2/2 [m]
   double velocity;  ///< v0 - g t [m/s]

@@ -8,18 +8,18 @@ namespace zona::studies::references {
 
 /// A rigid box of gas under pressure whose square lid is a membrane, held along its edges, with a
 /// cube in its middle; vacuum outside. A model of 4.4.3, not an exact solution: the gas is uniform
-/// and adiabatic, p V^gamma = const, without inertia; the cube is rigid and does not let go.
+/// and adiabatic, p V^gamma = const, without inertia; the cube is rigid and stays attached.
 struct GasBox {
   double side;              ///< of the lid [m]
   double height;            ///< of the box [m]
-  double pressure;          ///< of the gas at first [Pa]
+  double pressure;          ///< initial, of the gas [Pa]
   double gamma;             ///< ratio of specific heats [-]
   MembraneLaw membrane;     ///< thickness included
   double membrane_density;  ///< [kg/m^3]
   double cube_side;         ///< [m]
   double cube_density;      ///< [kg/m^3]
   TriangleStrain strain = TriangleStrain::stretches;
-  bool rigid_cube = true;  ///< otherwise its mass alone sits on the membrane: a bound
+  bool rigid_cube = true;  ///< otherwise only its mass sits on the membrane: a bound
 };
 
 /// 4.4.3, Table 4.3; gamma = 1.4.
@@ -58,8 +58,8 @@ struct GasBoxResolution {
 /// velocity Verlet. Throws ModelError for input that makes no sense, and when triangles invert.
 GasBoxHistory gas_box(const GasBox& box, const GasBoxResolution& resolution = {});
 
-/// By how much the gas' own inertia slows a lid of uniform mass [kg/m^2], as a fraction of its
-/// motion: the gas moves linearly from the bottom to the lid, which adds a third of its mass.
+/// Fraction by which the inertia of the gas slows a lid of uniform mass [kg/m^2]: the velocity of
+/// the gas is linear from the bottom to the lid, which adds a third of its mass.
 double gas_inertia(double gas_density, double height, double lid_mass);
 
 }  // namespace zona::studies::references

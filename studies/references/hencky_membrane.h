@@ -22,7 +22,7 @@ struct PressurisedDisc {
 /// where equilibrium is satisfied and compatibility, D(2 + D) B = -8 X/B^2 with D = 2X d/dX, gives
 /// the series B = sum b_n X^n, b_n = -2 [1/B^2]_{n-1}/(n (n + 1)). The edge does not move:
 /// sum b_n (1 - nu + 2n) = 0 determines b_0. Deflection in the middle: w_0 = 0.653 a k^(1/3) for
-/// nu = 0.3 (0.662 is Hencky's own slip).
+/// nu = 0.3 (Hencky's 0.662 is a slip).
 class HenckyMembrane {
  public:
   /// Throws ModelError unless 0 <= nu <= 0.5 and everything else is positive.

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// What is left of the law without wrinkles. A tenth of it changes displacements by 1e-5.
+/// Final share of the law without wrinkles. A tenth of it changes displacements by 1e-5.
 constexpr double least_share = 1e-4;
 
 void check(const IndentedEgg& egg, const std::vector<double>& forces, int elements) {
@@ -169,7 +169,7 @@ IndentedEggState describe(const EggModel& model, const MeridianState& state) {
 /// From a sphere somewhat larger than the egg, which has tension everywhere, to the egg under a
 /// small force. All of the law is unwrinkled.
 MeridianState first_contact(EggModel& model, double force) {
-  // Not so much larger that its pressure lifts the face of the pipette.
+  // Small enough that its pressure does not lift the face of the pipette.
   const double face = model.meridian.reference[2 * model.rim] / (0.1 * 0.5 * model.touch);
   const double growth = 1 + 0.05 / std::max(1.0, face * face);
   const double fluid = model.loads.volume;
@@ -186,7 +186,7 @@ MeridianState first_contact(EggModel& model, double force) {
   return state;
 }
 
-/// Lets the membrane wrinkle, by and by, where compression was carried.
+/// Lets the membrane wrinkle, step by step, where it carried compression.
 MeridianState wrinkled(const EggModel& model, MeridianState state) {
   if (model.meridian.law.wrinkling == Wrinkling::none) return state;
   MeridianLoads loads = model.loads;

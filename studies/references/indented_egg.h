@@ -7,14 +7,14 @@
 
 namespace zona::studies::references {
 
-/// How the egg rests opposite to the pipette.
+/// Support of the egg opposite to the pipette.
 enum class EggSupport {
   plate,           ///< flat, without friction
-  sticking_plate,  ///< flat; what has touched it stays where it is
+  sticking_plate,  ///< flat; what touches it sticks
   held             ///< the membrane within `support_radius` of the axis does not move
 };
 
-/// A spherical membrane full of fluid, unstressed at first, pressed by a rigid pipette along its
+/// A spherical membrane full of fluid, initially unstressed, pressed by a rigid pipette along its
 /// axis; no fluid outside. The membrane sticks to the pipette's face.
 struct IndentedEgg {
   double radius;  ///< [m]

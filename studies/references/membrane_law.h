@@ -8,14 +8,14 @@ enum class StrainMeasure {
   logarithmic  ///< ln lambda
 };
 
-/// What the stress of Hooke's law is taken to be.
+/// Stress measure of Hooke's law.
 enum class StressMeasure {
   kirchhoff,  ///< force per current width times current over undeformed volume: what the material
               ///< point method computes, where a point keeps its volume mass/density
   nominal     ///< force per undeformed width
 };
 
-/// What the membrane does where it would be compressed.
+/// Treatment of compression.
 enum class Wrinkling {
   none,    ///< carries compression
   stress,  ///< taut, wrinkled (uniaxial stress) or slack: Pipkin's relaxed energy
@@ -55,7 +55,7 @@ struct StrainOf {
   double value, derivative;
 };
 StrainOf strain_of(StrainMeasure measure, double stretch);
-/// The stretch that has a strain.
+/// The stretch of a strain.
 double stretch_of(StrainMeasure measure, double strain);
 
 /// Principal stresses of the law at principal strains (in any order).

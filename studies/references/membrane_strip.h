@@ -19,8 +19,8 @@ struct StripState {
 StripState free_strip(const MembraneLaw& law, double stretch);
 
 /// Long edges held at `lateral_stretch` times their distance. At 1: stress E e/(1 - nu^2) and nu
-/// times that across. Brought together by more than a free strip contracts, it wrinkles and carries
-/// what a free strip carries.
+/// times that across. If they approach by more than a free strip contracts, it wrinkles and has the
+/// stress of a free strip.
 StripState held_strip(const MembraneLaw& law, double stretch, double lateral_stretch);
 
 /// Pure bending, in its plane, of a strip under tension: a band along the compressed edge wrinkles

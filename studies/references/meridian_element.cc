@@ -26,7 +26,7 @@ PrincipalStresses blended(const MembraneLaw& law, double share, double along, do
   return s;
 }
 
-/// What the element sees of its summed strain: along the meridian and around the axis.
+/// Summed strain in the axes of the element: along the meridian and around the axis.
 Vector2d seen(const Vector4d& sum, const Vector4d& now) {
   const Vector2d t = (now.tail<2>() - now.head<2>()).normalized();
   return {sum[0] * t[0] * t[0] + sum[1] * t[1] * t[1] + 2 * sum[2] * t[0] * t[1], sum[3]};

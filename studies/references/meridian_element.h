@@ -37,7 +37,8 @@ ElementStrain strain_of_stretches(StrainMeasure measure, const MeridianElement& 
 Eigen::Vector4d summed_strain(const Eigen::Vector4d& sum, const MeridianElement& last,
                               const MeridianElement& now);
 
-/// What the element sees of its summed strain, `sum` at `last`, when it is at `now` (4.10).
+/// Summed strain in the axes of the element (4.10), when `sum` is the strain at `last` and the
+/// element is at `now`.
 ElementStrain strain_of_sum(const Eigen::Vector4d& sum, const MeridianElement& last,
                             const MeridianElement& now);
 

@@ -5,8 +5,8 @@
 
 namespace zona::studies::references {
 
-/// How far a sampled profile lies from an exact one: averages over the samples' lengths, so that
-/// profiles of different length and sampling compare.
+/// Errors of a sampled profile: averages weighted by the samples' lengths, so that profiles of
+/// different length and sampling can be compared.
 struct ProfileErrors {
   double l1 = 0;       ///< mean of |computed - exact|
   double l2 = 0;       ///< root of the mean square

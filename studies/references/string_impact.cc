@@ -15,7 +15,7 @@ struct Vector {
   double x, z;
 };
 
-/// An element: its tension, and what the summed strain and the work need of the past.
+/// An element: its tension, and the history of its summed strain and work.
 struct Element {
   double length, tension = 0, strain = 0, energy = 0;
   Vector tangent{1, 0};

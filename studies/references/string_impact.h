@@ -14,9 +14,9 @@ enum class StringStrain {
                 ///< the end: (4.4), (4.5), which double the strain of small slopes
 };
 
-/// How the string holds on to what hits it.
+/// Contact of string and block.
 enum class StringContact {
-  bonded,  ///< no slip: the string under the block does not stretch. What one velocity field does
+  bonded,  ///< no slip: the string under the block does not stretch, as with one velocity field
   sliding  ///< without friction: it stretches along the block's flat bottom
 };
 
@@ -71,9 +71,8 @@ struct StringResolution {
 /// Equal elements with masses at their nodes, tension T along each element, velocity Verlet.
 /// With the undeformed volume, T = A_0 E e/lambda (Kirchhoff) or A_0 E e (nominal); no compression.
 /// At t = 0 the block picks up the string under it: m_b V = (m_b + m_c) V', perfectly inelastic, as
-/// in a method with one velocity field. When the force between block and string would pull, the
-/// block leaves with the velocity it has, for good. No gravity, as in the source. Throws
-/// ModelError.
+/// in a method with one velocity field. When the contact force would become tensile, the block
+/// leaves for good with the velocity it has. No gravity, as in the source. Throws ModelError.
 StringHistory string_impact(const StringImpact& impact, const StringResolution& resolution = {});
 
 }  // namespace zona::studies::references

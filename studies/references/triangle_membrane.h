@@ -8,7 +8,7 @@
 
 namespace zona::studies::references {
 
-/// How a triangle gets its strain.
+/// Strain measure of a triangle.
 enum class TriangleStrain {
   stretches,  ///< principal stretches of the deformation gradient, in the law's measure: objective
   summed      ///< increments sym(grad u) summed in fixed axes and seen in the local frame that the
@@ -16,7 +16,7 @@ enum class TriangleStrain {
 };
 
 /// Constant-strain triangles of a membrane that is flat, at z = 0, and unstressed at first.
-/// Positions belong to the caller; a triangle keeps its reference and what its strain has summed.
+/// Positions belong to the caller; a triangle keeps its reference state and its summed strain.
 class TriangleMembrane {
  public:
   using Positions = std::vector<Eigen::Vector3d>;

@@ -18,7 +18,7 @@ plt.rcParams.update(STYLE)
 
 
 class Chart:
-    """Lines over one axis. `lines` are (label, x, y); `title` says what is to be seen."""
+    """Lines over one axis. `lines` are (label, x, y); `title` is the caption."""
 
     def __init__(self, name, title, x_label, y_label, lines, markers=False, x_limit=None):
         self.name, self.title = name, title
@@ -56,7 +56,7 @@ class Chart:
 
 
 class Tornado(Chart):
-    """Bars left and right of nothing, one a row: `rows` are (label, value), the greatest first."""
+    """Bars left and right of zero, one per row: `rows` are (label, value), the greatest first."""
 
     def __init__(self, name, title, x_label, rows):
         super().__init__(name, title, x_label, "input", [])
@@ -146,7 +146,7 @@ def _inline(svg, name):
 
 
 def spectrum(time, values):
-    """Frequencies [Hz] and amplitudes of a motion, whose mean is taken off; Hann's window."""
+    """Frequencies [Hz] and amplitudes of a motion without its mean; Hann's window."""
     even = np.linspace(time[0], time[-1], len(time))
     signal = np.interp(even, time, values)
     window = np.hanning(len(signal))

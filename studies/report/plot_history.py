@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Plot columns of a run's history.csv, one panel a unit.
+"""Plot columns of a run's history.csv, one panel per unit.
 
     studies/report/plot_history.py RUN_DIRECTORY --output history.png
     studies/report/plot_history.py RUN_1 RUN_2 --columns "kinetic energy" --output compared.png

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Plot what a material_point study computed: stresses (or what else it wrote) over a strain.
+"""Plot the results of a material_point study: stresses (or other columns) over a strain.
 
     studies/report/plot_path.py runs/point_uniaxial --output uniaxial.png
     studies/report/plot_path.py runs/point_mode_1 runs/point_mode_2 --columns strain_yy strain_xy --output modes.png

@@ -81,7 +81,7 @@ def nearest_frames(file, times):
 
 
 def shade(colours, normals):
-    """Lambert's law with ambient light and a little gloss; colours and unit normals a row each."""
+    """Lambert's law with ambient light and a little gloss; colours and unit normals, one per row."""
     light = LIGHT / np.linalg.norm(LIGHT)
     diffuse = np.clip(normals @ light, 0, 1)
     half = light + np.array([0, 0, 1.0])
@@ -240,7 +240,7 @@ def main():
     parser.add_argument("run", type=pathlib.Path, help="run directory")
     parser.add_argument("--times", type=float, nargs="+", help="[us]; default: four, evenly spread")
     parser.add_argument("--view", type=float, nargs=2, action="append", metavar=("AZIMUTH", "ELEVATION"),
-                        help="[degrees]; once a row of panels; default: -60 22 and 35 30")
+                        help="[degrees]; once per row of panels; default: -60 22 and 35 30")
     parser.add_argument("--field", help="scalar of the zona to colour by, instead of failed points in red")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("zona.png"))
     parser.add_argument("--dpi", type=int, default=220)

@@ -1,9 +1,9 @@
 // The interactive replay of a report: rotate, zoom, scrub the time, colour by a field.
-// `THREE` and its OrbitControls come before this script; the data are in window.zonaReplay.
+// Needs `THREE` with its OrbitControls; the data are in window.zonaReplay.
 "use strict";
 
 (function () {
-  // Of rising lightness, so that it also reads in grey.
+  // Lightness rises, so that it also reads in grey.
   const RAMP = [[0.16, 0.18, 0.45], [0.14, 0.45, 0.6], [0.3, 0.68, 0.5], [0.75, 0.82, 0.3], [0.99, 0.9, 0.45]];
   const PLAIN = { zona: [0.93, 0.8, 0.62], pipette: [0.6, 0.66, 0.72], plate: [0.45, 0.6, 0.8] };
   const FAILED = [0.8, 0.07, 0.1];
@@ -95,7 +95,7 @@
   }
 
   class Run {
-    /// Drawn with its lowest corner at the origin and 100 units long, whatever its size.
+    /// Scaled to a length of 100 units, with its lowest corner at the origin.
     constructor(data) {
       this.data = data;
       this.size = data.high.map((h, i) => h - data.low[i]);

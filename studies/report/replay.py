@@ -1,9 +1,15 @@
-"""Packs the frames of a run for the interactive replay of the page."""
+"""The interactive replay of a report: packs the frames of runs for the script of the page."""
 
 import base64
+import json
+import pathlib
 
 import numpy as np
 
+from markup import escaped
+
+THREE = pathlib.Path("/usr/share/javascript/three")
+HERE = pathlib.Path(__file__).resolve().parent
 MOST_FRAMES = 41
 MOST_POINTS = 12000
 SURFACE_FIELDS = ("strain", "damage", "failed")
@@ -24,7 +30,7 @@ def _chosen(count, most):
 
 
 def pack_run(frames):
-    """Frames as the script of the page wants them, in SI."""
+    """Frames as replay.js expects them, in SI."""
     indices = _chosen(len(frames.names), MOST_FRAMES)
     groups = [frames.group(i) for i in indices]
     clouds = [name for name in groups[0] if all(name in group for group in groups)]
@@ -54,7 +60,7 @@ def pack_run(frames):
 
 
 def _range(name, values, groups, cloud):
-    """Least and greatest value of points that have not failed: what failed points show says nothing."""
+    """Least and greatest value of points that have not failed; values of failed points mean nothing."""
     if name == "strain" and "failed" in groups[0][cloud]["fields"]:
         values = [v[np.asarray(g[cloud]["fields"]["failed"]) < 0.5] for v, g in zip(values, groups)]
         values = [v for v in values if len(v)] or [np.zeros(1)]
@@ -72,3 +78,21 @@ def _fields(groups, cloud, is_surface):
         fields["speed"] = [np.linalg.norm(np.asarray(g[cloud]["fields"]["velocity"], float), axis=1)
                            for g in groups]
     return fields
+
+
+def replays(page, runs):
+    scripts = [THREE / "build/three.min.js", THREE / "examples/js/controls/OrbitControls.js"]
+    packed = [{"name": run.name, "data": pack_run(frames)} for run in runs if (frames := run.frames())]
+    if not packed:
+        return
+    page.heading("Replay")
+    if not all(script.is_file() for script in scripts):
+        page.missing.append("the interactive replay: three.js is missing; install the package libjs-three")
+        page.parts.append(f'<p class="warning">Left out is {escaped(page.missing[-1])}.</p>')
+        return
+    page.parts.append('<p>Drag to turn, wheel to zoom, right button to shift. Frames are those of fields.h5; large '
+                      'bodies of points are thinned.</p><div class="replay"></div>')
+    data = json.dumps(packed, separators=(",", ":"))
+    code = [script.read_text(encoding="utf-8") for script in scripts]
+    code += [f"window.zonaReplay = {data};", (HERE / "replay.js").read_text(encoding="utf-8")]
+    page.parts += ["<script>" + text.replace("</script", "<\\/script") + "</script>" for text in code]

@@ -1,4 +1,4 @@
-"""What a run directory holds, read for the report."""
+"""Readers of a run directory for the report."""
 
 import csv
 import json
@@ -82,7 +82,7 @@ class Run:
 
 
 class Study:
-    """A study with its outcome; raises FileNotFoundError and ValueError for what is no run."""
+    """A study with its outcome; raises FileNotFoundError or ValueError if the directory is not a run."""
 
     def __init__(self, directory):
         self.directory = pathlib.Path(directory)

@@ -1,4 +1,4 @@
-"""The report of a search: what was tried, what came of it, and what is uncertain about it."""
+"""The report of a search: its designs, their ranking and its uncertainty."""
 
 import pathlib
 
@@ -14,7 +14,7 @@ NOISE = "With {} samples a correlation below {:.1f} may be chance; the charts be
 
 
 def plain(value):
-    """Three digits, without an exponent for what is great."""
+    """Three digits, without an exponent for large values."""
     return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
 
 
@@ -52,7 +52,7 @@ class Search:
 
 def search_part(page, study):
     if "measures" not in study.results or "uncertain" not in study.results:
-        page.parts.append("<p>The search has not come to a ranking yet; go on with it by --resume.</p>")
+        page.parts.append("<p>The search has no ranking yet; continue it with --resume.</p>")
         return
     search = Search(study)
     answer(page, search)
@@ -155,7 +155,7 @@ def piercings(page, search):
 
 
 def refinement(page, search):
-    """What the second optimiser tried, way by way."""
+    """Evaluations of the second optimiser, search by search."""
     path = search.study.directory / "trials.csv"
     if not path.is_file():
         return
@@ -167,14 +167,14 @@ def refinement(page, search):
     page.parts.append(f"<p>From the best candidates of {len(ways)} combinations an optimiser tried {len(trials)} piercings; "
                       "where it found something better, that is a candidate, too, called refined.</p>")
     page.charts([Chart("refinement", "The least cost so far: the worst objective over that of the reference, and a "
-                       "penalty where limits are left.", "piercing", "cost", lines, markers=True)])
+                       "penalty where limits are violated.", "piercing", "cost", lines, markers=True)])
 
 
 def uncertainty(page, search):
     inputs = search.results["uncertain"]
     if not inputs:
         return
-    page.heading("What the uncertain inputs do")
+    page.heading("Effect of the uncertain inputs")
     header = ["input", "range", "source"] + [f"rank correlation with {search.measures[name]['title']}"
                                              for name in search.objectives]
     rows = [[entry["key"], range_text(entry), entry["source"] or "not given"]
@@ -187,7 +187,7 @@ def uncertainty(page, search):
     off = [f"{end['subject']} with {entry['key']} at the {end['end']} end" for entry in inputs
            for end in entry["ends"] if not end["keeps_limits"]]
     if off:
-        page.parts.append(f'<p class="warning">At ends of the ranges these leave the limits: {escaped("; ".join(off))}.</p>')
+        page.parts.append(f'<p class="warning">At ends of the ranges these violate the limits: {escaped("; ".join(off))}.</p>')
 
 
 def tornadoes(search, inputs):
@@ -226,16 +226,16 @@ def weight(search, entry):
 
 
 def known(page, search):
-    """What stands on computation, what on assumption, what to measure."""
+    """What is computed, what is assumed, what to measure next."""
     first, inputs = search.objectives[0], search.results["uncertain"]
     page.heading("Known, assumed, to be measured")
-    items = ["<b>Known</b>: how the beam and the liquid around it respond, and how the material points move, are held "
-             "against exact solutions (zona verify). The samples of the inputs are the same for all designs, so their "
+    items = ["<b>Known</b>: the response of the beam and the liquid around it, and the motion of the material points, are "
+             "compared with exact solutions (zona verify). The samples of the inputs are the same for all designs, so their "
              "order is better known than their values."]
     assumed = [f"{entry['key']} ({range_text(entry)}; {entry['source'] or 'no source given'})" for entry in inputs]
     items.append("<b>Assumed</b>: " + escaped("; ".join(assumed) + "; " if assumed else "")
                  + "every other value of the reference study, below; that the liquid's load is that of small swings; that "
-                 "the tip is rigid and moves as the beam does, however it is resisted; that failed area orders the damage, "
+                 "the tip is rigid and moves as the beam does, whatever resists it; that failed area orders the damage, "
                  "though it depends on the cells.")
     items.append("<b>Not known</b>: no threshold of strain, pressure or shear at which an oocyte lyses is published, so "
                  "nothing here is a rate of survival. Less of every measure is taken to be gentler.")
@@ -244,14 +244,14 @@ def known(page, search):
         order = ", then ".join(entry["key"] for entry in by_weight)
         items.append(f"<b>To be measured next</b>: what moves the {search.measures[first]['title']} most over its range, "
                      f"{escaped(order)}; and the motion of the tip itself at the microscope for the first of the ranking, "
-                     "which holds the beam, the drive and the liquid against nature at once.")
+                     "which tests the beam, the drive and the liquid together.")
     page.parts.append("<ul>" + "".join(f"<li>{item}</li>" for item in items) + "</ul>")
     titles = " and ".join(search.measures[name]["title"] for name in search.results["tip_objectives"])
     trials = search.results["trials"]
     chosen = sum(not entry["label"].endswith(" refined") for entry in search.results["candidates"])
     refined = f" and the {trials} piercings of the optimiser" if trials else ""
-    page.parts.append(f"<p>{chosen} candidates were chosen by the {escaped(titles)} of their beams; what none of them{refined} "
-                      "tried, this search does not know.</p>")
+    page.parts.append(f"<p>{chosen} candidates were chosen by the {escaped(titles)} of their beams; the search "
+                      f"says nothing of designs beyond these{refined}.</p>")
     reference = search.study.directory / "reference.toml"
     if reference.is_file():
         page.heading("Reference study")

@@ -46,22 +46,22 @@ double point_steps(const Configuration& study) {
   return kind.estimate ? kind.estimate(study).point_steps : 0;
 }
 
-/// Work of a run that nothing is known of, as of vibrations: seconds [point-steps].
+/// Work of a run without an estimate, e.g. a vibration, which takes seconds [point-steps].
 constexpr double unknown_work = 3e7;
 
 double work_of(const PlannedRun& run) {
   return run.point_steps > 0 ? run.point_steps : unknown_work;
 }
 
-/// Threads that runs take and give back.
+/// Pool of threads for runs.
 class FreeThreads {
  public:
   explicit FreeThreads(int count) : count_(count) {}
 
-  /// Threads that are taken while it lives.
+  /// Holds threads of the pool while it lives.
   class Taken {
    public:
-    /// Waits until there are as many.
+    /// Waits until enough threads are free.
     Taken(FreeThreads& from, int count) : from_(from), taken_(count) {
       std::unique_lock lock(from_.mutex_);
       from_.changed_.wait(lock, [&] { return from_.count_ >= taken_; });
@@ -133,7 +133,7 @@ class SideBySide {
     return order;
   }
 
-  /// Its share of what is left to compute, so that no run ends long after all others.
+  /// Threads in proportion to the remaining work, so that no run ends long after the others.
   int threads_of(const PlannedRun& run) const {
     if (run.is_done) return 1;
     const double share = std::ceil(work_of(run) / work_left_ * threads_ - 1e-9);

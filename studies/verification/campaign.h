@@ -10,17 +10,17 @@
 
 namespace zona::studies::verification {
 
-/// A run of a case that was validated, and whether an earlier campaign has computed it already.
+/// A validated run of a case.
 struct PlannedRun {
   const Case* owner;
   Run run;
   Configuration study;
   std::filesystem::path directory;
-  double point_steps;  ///< of the estimate; 0 where it means nothing
-  bool is_done;
+  double point_steps;  ///< estimated; 0 where it means nothing
+  bool is_done;        ///< by an earlier campaign
 };
 
-/// Where and how the runs of a set of cases are computed.
+/// Settings for computing the runs of cases.
 struct Campaign {
   std::filesystem::path directory;  ///< runs lie in <directory>/<case>/<label>
   Extent extent;
@@ -29,26 +29,25 @@ struct Campaign {
 };
 
 /// Validates every run of the cases before one starts. A run counts as done when its directory
-/// holds the complete results of the very same resolved study by the same version of the program.
+/// holds the complete results of the same resolved study by the same version of the program.
 /// Throws InputError.
 std::vector<PlannedRun> plan(const std::vector<const Case*>& cases, const Campaign& campaign);
 
 /// The user stopped the campaign.
 struct Interrupted {};
 
-/// How a run of the campaign ended; `message` tells why it failed.
+/// Outcome of a run; `message` is the reason of a failure.
 struct RunReport {
   std::string status;  ///< as in summary.json
   std::string message;
 };
 
-/// Hears that a run, given by its place among all, has ended. Called from several threads at once.
-/// Returns a line for the user, or "".
+/// Called at the end of a run, from several threads at once. Returns a line for the user, or "".
 using RunEnded = std::function<std::string(std::size_t run, const RunReport& report)>;
 
-/// Computes the runs that are not done, side by side and the longest first, and tells the user how
-/// far they are. A run gets as many threads as its share of the work; one when there are many. What
-/// an earlier, unfinished campaign left in a directory is replaced. Throws Interrupted.
+/// Computes the runs that are not done in parallel, the longest first, and shows the progress. A
+/// run gets threads in proportion to its work, one if there are many runs. Replaces what an
+/// unfinished campaign left in a directory. Throws Interrupted.
 void carry_out(const std::vector<PlannedRun>& runs, const Campaign& campaign,
                const RunEnded& run_ended);
 

@@ -87,8 +87,8 @@ std::string runs_text(const CaseReport& report) {
 
 std::string checks_text(const CaseReport& report) {
   std::string text =
-      "| Quantity | Value | Reference | Error | Limit | Verdict | Where the limit comes from, or "
-      "what it means |\n| --- | --: | --: | --: | --: | --- | --- |\n";
+      "| Quantity | Value | Reference | Error | Limit | Verdict | Origin of the limit, or meaning "
+      "|\n| --- | --: | --: | --: | --: | --- | --- |\n";
   for (const Check& check : report.evaluation.checks) {
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", cell(check.quantity), check.value,
                         cell(or_dash(check.reference)), or_dash(check.error), or_dash(check.limit),
@@ -101,7 +101,7 @@ std::string section(const CaseReport& report) {
   const Case& c = *report.verification_case;
   std::string text = fmt::format("\n<a id=\"{}\"></a>\n\n## {}\n\n", c.name, c.title);
   if (!c.source.empty()) text += fmt::format("Source: {}. ", c.source);
-  text += fmt::format("Held against: {}.\n\n{}", c.reference, checks_text(report));
+  text += fmt::format("Compared with: {}.\n\n{}", c.reference, checks_text(report));
   for (const Figure& figure : report.evaluation.figures) {
     for (const std::string& file : figure.files(c.name)) {
       text += fmt::format("\n![{}](figures/{})\n", figure.caption, file);

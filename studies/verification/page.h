@@ -8,7 +8,7 @@
 
 namespace zona::studies::verification {
 
-/// A case with everything that the page says about it.
+/// A case with all that the page shows.
 struct CaseReport {
   const Case* verification_case;
   std::vector<Run> runs;
@@ -23,8 +23,8 @@ std::string verification_page(const std::vector<CaseReport>& reports, Extent ext
 /// A table for the terminal: one line per check, failed ones marked.
 std::string check_table(const CaseReport& report);
 
-/// Draws the figures of all cases into `folder` with matplotlib. Returns an empty text, or what is
-/// missing or went wrong: a page without figures is still a page.
+/// Draws the figures of all cases into `folder` with matplotlib. Returns an empty text, or why
+/// figures are missing; the page does not need them.
 std::string draw_figures(const std::vector<CaseReport>& reports,
                          const std::filesystem::path& campaign_directory,
                          const std::filesystem::path& folder);

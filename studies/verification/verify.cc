@@ -23,7 +23,7 @@ using namespace verification;
 
 namespace {
 
-/// Point-steps a second that two cores of an ordinary machine reach; only the forecast uses it.
+/// Point-steps per second of two cores of an ordinary machine, for the forecast.
 constexpr double ordinary_rate = 1.5e7;
 
 std::vector<const Case*> chosen_cases(const std::vector<std::string>& names) {
@@ -66,7 +66,7 @@ void print_plan(const std::vector<const Case*>& chosen, const std::vector<Planne
         stderr, "{:<24} {:>5} {:>5}  {}\n", c->name, count, done,
         done == count ? "nothing" : fmt::format("{:.2g} point-steps, {}", left, forecast(left)));
   }
-  fmt::print(stderr, "in all {} on two ordinary cores; Ctrl-C stops, the same command goes on\n",
+  fmt::print(stderr, "in all {} on two ordinary cores; Ctrl-C stops, the same command continues\n",
              forecast(todo));
 }
 
@@ -74,7 +74,7 @@ Check failed_run(const std::string& label, const std::string& message) {
   return {"run " + label, "none", "", "", "complete", message, Verdict::failed};
 }
 
-/// What the runs of a case wrote, held against its reference.
+/// Compares the runs of a case with its reference.
 CaseReport judge(const Case& c, const std::vector<PlannedRun>& runs,
                  const std::vector<RunReport>& outcomes, Extent extent) {
   CaseReport report{&c, {}, {}, {}};
@@ -104,7 +104,7 @@ const char* pass_or_fail(const CaseReport& report) {
   return report.verdict() == Verdict::passed ? "pass" : "FAIL";
 }
 
-/// The cases, judged as soon as the last of their runs has ended, in any thread.
+/// Judges each case when its last run ends, in any thread.
 class Judge {
  public:
   Judge(const std::vector<const Case*>& cases, const std::vector<PlannedRun>& runs, Extent extent)
@@ -113,7 +113,7 @@ class Judge {
     for (const PlannedRun& run : runs) ++runs_left_[run.owner];
   }
 
-  /// Returns a line about the case when it was the last of its runs.
+  /// Returns a line about the case after the last of its runs.
   std::string run_ended(std::size_t run, const RunReport& outcome) {
     const Case* c = runs_[run].owner;
     {
@@ -125,7 +125,7 @@ class Judge {
     return fmt::format("{}: {}", c->name, pass_or_fail(*reports_.at(c)));
   }
 
-  /// Those that are judged, in the order of the cases.
+  /// Reports of the judged cases, in the order of the cases.
   std::vector<CaseReport> reports(const std::vector<const Case*>& cases) const {
     std::vector<CaseReport> found;
     for (const Case* c : cases) {
@@ -137,7 +137,7 @@ class Judge {
  private:
   const std::vector<PlannedRun>& runs_;
   Extent extent_;
-  std::mutex mutex_;  ///< of the two that follow
+  std::mutex mutex_;  ///< guards the two below
   std::vector<RunReport> outcomes_;
   std::map<const Case*, int> runs_left_;
   std::map<const Case*, std::optional<CaseReport>> reports_;
@@ -184,7 +184,7 @@ int verify(const VerifyOptions& options) {
     });
   } catch (const Interrupted&) {
     print_tables(judge.reports(chosen));
-    fmt::print(stderr, "stopped; the same command goes on from here\n");
+    fmt::print(stderr, "stopped; the same command continues from here\n");
     return exit_interrupted;
   }
   const std::vector<CaseReport> reports = judge.reports(chosen);

@@ -77,7 +77,8 @@ double interpolation_error(const Function& derivative, int intervals) {
 
 }  // namespace
 
-TEST_CASE("cubics are reproduced with exact velocities, parabolas without any", "[motion]") {
+TEST_CASE("interpolation reproduces cubics with exact velocities, parabolas without any",
+          "[motion]") {
   const TipMotion with(sampled(cubic, cubic_slope, 7), from_start());
   const TipMotion without(sampled(parabola, nullptr, 7), from_start());
   for (double t = 0; t <= 2; t += 0.01) {
@@ -130,7 +131,7 @@ TEST_CASE("the velocity is the derivative of the displacement, ramp or not", "[m
   }
 }
 
-TEST_CASE("a window starts at rest where the pipette stands and ends as told", "[motion]") {
+TEST_CASE("a window starts without displacement and ends after its length", "[motion]") {
   TipMotionOptions options;
   options.start = 1.5;
   options.length = 0.5;
@@ -173,7 +174,8 @@ TEST_CASE("the automatic window starts when the tip has moved by the fraction", 
                     Contains("never moves"));
 }
 
-TEST_CASE("two histories move the pipette together, from when the tip moves on", "[motion]") {
+TEST_CASE("two histories move the pipette together, from the onset of the tip's motion",
+          "[motion]") {
   const auto late = [](double t) { return t < 2 ? 0 : (t - 2) * (t - 2); };
   const auto early = [](double t) { return t < 1.5 ? 0 : 3 * (t - 1.5) * (t - 1.5); };
   const TipHistory slow = sampled(late, nullptr, 400), fast = sampled(early, nullptr, 400);

@@ -79,7 +79,7 @@ void write_table(Session& session) {
   session.conclusion = table;
 }
 
-/// Fills that run side by side. Small models use the threads better so than one after the other.
+/// Fills that run side by side, which uses the threads better for small models.
 struct Round {
   std::vector<const PiercingCase*> fills;
   int threads;  ///< of each
@@ -101,7 +101,7 @@ std::string label(const Round& round) {
   return names;
 }
 
-/// Runs a fill in its own directory, as a part of the present stage.
+/// Runs a fill in its own directory, as a part of the current stage.
 void run_fill(const PiercingCase& fill, int part, int threads, const Configuration& study,
               Session& session, nlohmann::json& results) {
   const std::shared_ptr<spdlog::logger> log = session.directory.log_of(fill.fluid.name);
@@ -145,7 +145,7 @@ Job prepare_comparison(const Configuration& study) {
         if (!Interrupt::requested()) run_round(round, study, session);
       }
     } catch (...) {
-      write_table(session);  // what the other fills came to is not lost
+      write_table(session);  // keeps the results of the other fills
       throw;
     }
     write_table(session);

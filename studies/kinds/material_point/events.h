@@ -7,7 +7,7 @@
 
 namespace zona::studies {
 
-/// What happens to a point on its path: yield, peak, bifurcation, failure; energies.
+/// Events of a point on its path (yield, peak, bifurcation, failure) and its energies.
 class PointEvents {
  public:
   explicit PointEvents(const mpm::PointSample& start) : last_(start) {}

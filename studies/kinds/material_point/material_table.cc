@@ -22,7 +22,7 @@ void check_update(const Configuration& study, const Complain& complain) {
 }  // namespace
 
 void declare_material(Schema& schema) {
-  TableKeys<PointMaterial> keys(schema, "material", "What the point is made of.");
+  TableKeys<PointMaterial> keys(schema, "material", "Material of the point.");
   keys.choice("geometry", &PointMaterial::geometry, kGeometries)
       .doc("A point of a solid in three dimensions, or of a membrane in plane stress.");
   keys.choice("law", &PointMaterial::law, kLawNames)

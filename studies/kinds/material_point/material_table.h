@@ -7,7 +7,7 @@ namespace zona::studies {
 
 enum class PointGeometry { solid, membrane };
 
-/// What the point is made of, beside the keys of its law (material_tables.h).
+/// Material of the point, besides the keys of its law (material_tables.h).
 struct PointMaterial {
   PointGeometry geometry;
   LawName law;
@@ -16,7 +16,7 @@ struct PointMaterial {
   double cell;            ///< edge of the cubic cell that the point stands in [m]
 };
 
-/// The section [material]. Complains of what does not go together.
+/// The section [material]. Checks that the choices are compatible.
 void declare_material(Schema& schema);
 
 }  // namespace zona::studies

@@ -91,10 +91,9 @@ std::vector<SymmetricTensor> StrainPath::targets() const {
 }
 
 void declare_path(Schema& schema) {
-  TableKeys<StrainPath> keys(
-      schema, "path",
-      "The strains that the point is led through, from zero. Each list holds the strain "
-      "at the end of each segment; a shorter list stays at its last value.");
+  TableKeys<StrainPath> keys(schema, "path",
+                             "Strain path of the point, from zero. Each list holds the strain "
+                             "at the end of each segment; a shorter list stays at its last value.");
   for (const auto& [name, component] : kStrainComponents) {
     keys.numbers(name, kStrains[static_cast<std::size_t>(component)], {0})
         .in("(-1, 1e3]")
@@ -105,7 +104,7 @@ void declare_path(Schema& schema) {
   keys.choices("free", &StrainPath::free, kStrainComponents, {})
       .or_none()
       .doc(
-          "Components that are not driven: their strain is what frees them of stress. [\"yy\", "
+          "Components with free strain: their stress stays zero. [\"yy\", "
           "\"zz\"] with the shears at zero is uniaxial stress.");
   keys.integer("steps", &StrainPath::steps, 200).in("[1, 1000000]").doc("Steps of each segment.");
   schema.check(check_components);

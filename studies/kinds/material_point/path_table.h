@@ -14,11 +14,11 @@ inline const Words<int> kStrainComponents{{"xx", 0}, {"yy", 1}, {"zz", 2},
 /// Components in the plane of a membrane.
 inline const std::vector<int> kPlaneComponents{0, 1, 3};
 
-/// The strains that a point is led through, each at the ends of the segments of the path; a shorter
-/// list stays at its last value.
+/// Strain path of a point: strains at the ends of its segments; a shorter list stays at its last
+/// value.
 struct StrainPath {
   std::vector<double> xx, yy, zz, xy, yz, zx;
-  std::vector<int> free;  ///< components that are not driven
+  std::vector<int> free;  ///< components with free strain
   long steps;             ///< of each segment
 
   mpm::FreeComponents free_components() const;
@@ -26,7 +26,7 @@ struct StrainPath {
   std::vector<mpm::SymmetricTensor> targets() const;
 };
 
-/// The section [path], after [material]. Complains of what does not go together.
+/// The section [path], after [material]. Checks that the choices are compatible.
 void declare_path(Schema& schema);
 
 }  // namespace zona::studies

@@ -9,7 +9,7 @@ namespace {
 
 Schema make_schema() {
   Schema schema("material_point",
-                "One point of a material, led along a path of strains: its stress, yield, peak, "
+                "One point of a material, driven along a strain path: its stress, yield, peak, "
                 "bifurcation and failure (section 5.3).");
   declare_material(schema);
   declare_path(schema);

@@ -55,7 +55,7 @@ std::vector<double> row(long step, const PointSample& s, const std::vector<int>&
   return values;
 }
 
-/// Leads the point along the path; every step goes into the history and the events.
+/// Drives the point along the path; records every step in the history and the events.
 class PathRun {
  public:
   PathRun(const Configuration& study, const StrainPath& path, const std::filesystem::path& history)

@@ -5,7 +5,7 @@
 
 namespace zona::studies {
 
-/// Finds what the model refuses; the job writes history.csv and the results.
+/// Checks the model; the job writes history.csv and the results.
 Job prepare_material_point(const Configuration& study);
 
 /// The size of the study.

@@ -12,7 +12,7 @@
 
 namespace zona::studies {
 
-/// One piercing, ready to run: everything that can be wrong with the input has been found.
+/// One piercing, ready to run; all its input is checked.
 struct PiercingCase {
   beam::Fluid fluid;  ///< its name, or its density, as the user wrote it
   PiercingSetup setup;
@@ -25,15 +25,15 @@ struct PiercingCase {
   std::optional<beam::TipHistory> axial_tip_history{};
   double window_start = 0;
   double support_peak = 0;                   ///< of the pulse that drove the beam [m]
-  std::vector<std::string> bath_warnings{};  ///< where the beam's fluids are taken too far
+  std::vector<std::string> bath_warnings{};  ///< where the loads of the beam's fluids are not valid
 };
 
 /// The case that a piercing or comparison study describes for one of its `fills_of`. Integrates the
 /// beam or reads the trace where the motion asks for it. Throws InputError, naming file and line.
 PiercingCase make_piercing_case(const Configuration& study, const beam::Fluid& fluid);
 
-/// Motion of a beam's tip across and along its pipette, from rest, where the support moves it; one
-/// or both.
+/// Motion of a beam's tip across and along its pipette, from rest. Present where the support moves
+/// in that direction.
 struct TipHistories {
   std::optional<beam::TipHistory> lateral{};
   std::optional<beam::TipHistory> axial{};

@@ -38,8 +38,8 @@ class DamageMeter {
   /// Positions of the zona's points before the run [m].
   const std::vector<Eigen::Vector3d>& reference() const { return reference_; }
 
-  /// Over all measurements so far, of points away from the hole as it is now: largest strain [-]
-  /// and largest displacement [m]. (A point that is yet to fail is not away.)
+  /// Largest strain [-] and displacement [m] over all measurements so far, of the points that are
+  /// away from the present hole.
   double peak_strain_away() const { return peak_away(peak_strain_); }
   double peak_displacement_away() const { return peak_away(peak_displacement_); }
 

@@ -52,7 +52,7 @@ std::vector<std::string> names_of(const std::vector<PiercingBody>& bodies) {
 }
 
 Parameter& declare_probed(Schema& schema, const std::string& key) {
-  return schema.choice(key, texts_of(kBodies)).doc("The body that is probed.");
+  return schema.choice(key, texts_of(kBodies)).doc("The probed body.");
 }
 
 Parameter& declare_averaged(Schema& schema, const std::string& key) {

@@ -54,7 +54,7 @@ struct PiercingSetup {
   }
 };
 
-/// Where things are in the grid of a setup [m].
+/// Places in the grid of a setup [m].
 struct PiercingGeometry {
   std::array<int, 3> cells;
   Eigen::Vector3d egg_center;

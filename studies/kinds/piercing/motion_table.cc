@@ -30,8 +30,8 @@ void declare_window(TableKeys<MotionWindow> keys, const std::string& scaled) {
   keys.quantity("window_length", &MotionWindow::window_length, "s", "300 us")
       .in("(0, 10]")
       .doc(
-          "How much of the history is used. The tip answers about 100 us after a 60 us pulse and "
-          "then swings with half-periods of 50 to 100 us.");
+          "Length of the history that is used. The tip responds about 100 us after a 60 us pulse "
+          "and then swings with half-periods of 50 to 100 us.");
   keys.number("auto_fraction", &MotionWindow::auto_fraction, 0.01)
       .in("(0, 1)")
       .doc("Fraction of the tip's peak displacement that starts an \"auto\" window.");
@@ -58,7 +58,7 @@ void check_axis(const Configuration& study, const Complain& complain) {
 }  // namespace
 
 void declare_motion(Schema& schema) {
-  TableKeys<Motion> keys(schema, "motion", "How the tip of the injection pipette moves.");
+  TableKeys<Motion> keys(schema, "motion", "Motion of the tip of the injection pipette.");
   keys.choice("kind", &Motion::kind, kKinds)
       .doc(
           "A sine (5.4, lateral), a triangular pulse (5.4, axial), the tip of the beam in [beam] "
@@ -90,7 +90,7 @@ void declare_motion(Schema& schema) {
 
 void declare_beam_motion(Schema& schema) {
   TableKeys<Motion> keys(schema, "motion",
-                         "How the tip of the injection pipette moves: always as its beam.");
+                         "Motion of the tip of the injection pipette: always that of its beam.");
   keys.choice("kind", &Motion::kind, {{"beam", MotionKind::beam}})
       .doc("The tip of the beam in [beam].");
   keys.choice("axis", &Motion::axis, {{"lateral", MotionAxis::lateral}})

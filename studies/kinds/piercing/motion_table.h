@@ -13,7 +13,7 @@ enum class MotionKind { sine, triangle, beam, trace };
 /// Along the pipette, a positive motion goes into the oocyte.
 enum class MotionAxis { lateral, axial };
 
-/// How the tip of the injection pipette moves.
+/// Motion of the tip of the injection pipette.
 struct Motion {
   MotionKind kind;
   MotionAxis axis;
@@ -48,7 +48,7 @@ void declare_beam_motion(Schema& schema);
 coupling::TipMotionOptions window_options(const MotionWindow& window, double length,
                                           const Eigen::Vector3d& axis);
 
-/// The key at fault for a window that does not fit its history.
+/// The key to report for a window that does not fit its history.
 std::string window_key(const Configuration& study);
 
 }  // namespace zona::studies

@@ -12,8 +12,8 @@ namespace zona::studies {
 
 namespace {
 
-/// Writes a tip history as CSV. Throws CheckpointError where a resumed run was started with another
-/// one, whose file stays.
+/// Writes a tip history as CSV. Throws CheckpointError, and keeps the file, if a resumed run was
+/// started with another history.
 void write_tip_history(const beam::TipHistory& history, const char* name,
                        const SimulationContext& context) {
   const std::string file = (context.directory / name).string();
@@ -21,7 +21,7 @@ void write_tip_history(const beam::TipHistory& history, const char* name,
   coupling::write_tip_trace_csv(history, file);
   if (old.empty() || old == mpm::read_file(file)) return;
   mpm::replace_file(file, old);
-  throw mpm::CheckpointError("the tip now moves in another way than when the run was started (" +
+  throw mpm::CheckpointError("the motion of the tip has changed since the run was started (" +
                              file + "): a trace has changed; run the study anew");
 }
 

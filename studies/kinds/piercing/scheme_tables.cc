@@ -59,9 +59,8 @@ void declare_piercing_run(Schema& schema) {
   TableKeys<Boundary> boundary(schema, "boundary", "The faces of the domain.");
   boundary.choice("kind", &Boundary::kind, kFaceConditions, mpm::FaceCondition::absorbing)
       .doc(
-          "Nothing, no motion through the face, no motion, or viscous stresses that absorb "
-          "outgoing "
-          "waves (5.43)-(5.50).");
+          "Free, no motion through the face, no motion at all, or viscous stresses that absorb "
+          "outgoing waves (5.43)-(5.50).");
   declare_output(schema, {"0.1 us", "(0, 1]", "."},
                  {"4 us", "(0, 1]", "; 4 us meets the instants of Figures 5.16-5.21."});
   declare_run(schema);

@@ -8,7 +8,7 @@
 
 namespace zona::studies {
 
-/// Choices of the scheme, beside those of mpm::Numerics.
+/// Choices of the scheme, besides those of mpm::Numerics.
 struct Scheme {
   mpm::Interpolation interpolation;
   bool average_volume_strain;  ///< of the fluids

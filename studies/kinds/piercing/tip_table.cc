@@ -26,12 +26,13 @@ void declare_tip(Schema& schema, const std::string& point_density) {
           "Density of the tip's points. \"auto\" spreads the fluid of the bore evenly over the "
           "glass: 26478 kg/m^3 with mercury, where the source states 26441 (5.4). The motion is "
           "prescribed, so this mass only sets how firmly the tip holds the grid around it: "
-          "comparisons keep the source's value for every fill, lest a light fill seem to slip.");
+          "comparisons keep the source's value for every fill, so that a light fill does not seem "
+          "to slip.");
   keys.choice("drive", &Tip::drive, kDrives)
       .doc(
-          "What carries the prescribed motion: the pipette's points, which the grid mixes with "
-          "their surroundings by mass (the source), or every node that they touch, which is much "
-          "harsher.");
+          "Where the motion is prescribed: at the pipette's points, which the grid mixes with "
+          "their surroundings by mass (the source), or at every node that they touch, which is "
+          "much harsher.");
 }
 
 double Tip::density_with(double fluid_density, const GlassTube& tube) const {

@@ -10,7 +10,7 @@
 
 namespace zona::studies {
 
-/// The tip of the injection pipette, beyond its tube (GlassTube).
+/// The tip of the injection pipette, besides its tube (GlassTube).
 struct Tip {
   double tip_length;                    ///< that the simulation holds [m]
   std::array<int, 3> points;            ///< through the wall, around and along the tip

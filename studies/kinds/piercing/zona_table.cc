@@ -45,8 +45,8 @@ void declare_zona(Schema& schema) {
   keys.integer("level", &Zona::level, 6)
       .in("[1, 9]")
       .doc(
-          "How often the triangles of an icosahedron are divided in four; 6 gives the 40962 points "
-          "and 81920 triangles of 5.4.");
+          "Number of subdivisions of an icosahedron, each of which divides every triangle into "
+          "four; 6 gives the 40962 points and 81920 triangles of 5.4.");
   keys.quantity("youngs_modulus", &Zona::youngs_modulus, "Pa", "17.9 kPa")
       .in("(0, 1e12]")
       .called("E")

@@ -11,7 +11,7 @@ enum class ZonaLaw { elastodamage, decohesion, elastic };
 struct Zona {
   double diameter;        ///< of the oocyte [m]
   double thickness;       ///< [m]
-  int level;              ///< how often an icosahedron's triangles are divided in four
+  int level;              ///< subdivisions of the icosahedron
   double youngs_modulus;  ///< [Pa]
   double poisson_ratio;   ///< [-]
   double density;         ///< [kg/m^3]
@@ -23,7 +23,7 @@ struct Zona {
 };
 
 /// The section [zona], with the keys of its laws (material_tables.h). Complains of a zona that is
-/// too thick and of options that do not go together.
+/// too thick and of incompatible options.
 void declare_zona(Schema& schema);
 
 /// The law of the zona with its parameters, in a grid of cubic cells of this edge [m].

@@ -18,8 +18,8 @@ namespace {
 using Eigen::Vector3d;
 using VectorOfTime = std::function<Vector3d(double)>;
 
-/// Evaluates formulas of time at a thousand instants of the run: what is wrong with them is
-/// reported, at their key, before it starts.
+/// Evaluates formulas of time at a thousand instants of the run, to report errors at their key
+/// before it starts.
 void try_out(const Configuration& study, const std::string& key,
              const std::vector<Formula>& formulas) {
   constexpr int instants = 1000;
@@ -56,7 +56,7 @@ std::function<Vector3d(double, const Vector3d&)> velocity_field(const Table& tab
   return at;
 }
 
-/// Formulas that a key has, one a component.
+/// Formulas of a key, one per component.
 VectorOfTime vector_of_time(const Configuration& study, const std::string& key,
                             const std::vector<Formula>& f) {
   try_out(study, key, f);
@@ -93,7 +93,7 @@ mpm::RigidMotion rigid_motion(const Table& table, double step) {
   }
   const double h = step / 10;
   return [at, h](double t) {
-    const double middle = std::max(t, 2 * h);  // before the start a formula means nothing
+    const double middle = std::max(t, 2 * h);  // formulas have no meaning before the start
     const Vector3d slope =
         (8 * (at(middle + h) - at(middle - h)) - (at(middle + 2 * h) - at(middle - 2 * h))) /
         (12 * h);

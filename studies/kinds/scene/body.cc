@@ -61,9 +61,8 @@ mpm::MaterialPoints points_of(const Table& table, const Pieces& pieces,
   return points;
 }
 
-/// Density and pressure that stand for the body where it is not uniform: the least density, and the
-/// pressure that gives it the greatest sound speed, so that what follows from them is on the safe
-/// side.
+/// One density and pressure for a body that may not be uniform: the least density, and the pressure
+/// with the greatest sound speed, to be on the safe side.
 void choose_representative(mpm::FluidProperties& p, const std::vector<double>& density,
                            const std::vector<double>& pressure) {
   double fastest = 0;

@@ -5,8 +5,8 @@
 
 namespace zona::studies {
 
-/// The body that a [[body]] table describes, in its initial state. `cut` tells which places other
-/// bodies take. Throws InputError, naming key and line.
+/// The body that a [[body]] table describes, in its initial state. `cut` is true at places that
+/// other bodies take. Throws InputError, naming key and line.
 mpm::Body scene_body(const Table& table, const mpm::BackgroundGrid& grid, const Inside& inside,
                      const Inside& cut);
 

@@ -52,7 +52,7 @@ void declare_laws(TableKeys<SceneBody>& keys) {
       .without_default()
       .in("(0, 1e6]")
       .only_where(membrane)
-      .doc("Thickness at first.");
+      .doc("Initial thickness.");
   declare_kinematics(keys.schema(), keys.section(), {membrane});
   declare_one_way(keys.schema(), keys.section(), {membrane});
   declare_stress_update(keys.schema(), keys.section(),

@@ -8,20 +8,19 @@
 
 namespace zona::studies {
 
-/// What a [[body]] is made of. Its shape is BodyShape; a fluid has SceneFluid, too, a solid or
+/// Material of a [[body]]. Its shape is BodyShape; a fluid has SceneFluid, too, a solid or
 /// membrane the keys of its law (material_tables.h), and all have BodyMotion.
 struct SceneBody {
   MaterialName material;
-  std::optional<Formula> density;  ///< at first, of the place [kg/m^3]; always given
+  std::optional<Formula> density;  ///< initial, of the place [kg/m^3]; always given
   double youngs_modulus;           ///< of a solid or membrane [Pa]
   double poisson_ratio;            ///< of a solid or membrane [-]
   LawName law;                     ///< of a solid or membrane
-  double thickness;                ///< of a membrane, at first [m]
-  bool average_volume_strain;      ///< of what fills a volume and deforms
+  double thickness;                ///< initial, of a membrane [m]
+  bool average_volume_strain;      ///< of bodies that have a volume and deform
 };
 
-/// The list [[body]]. Complains of materials that do not fit the shape, and of what the tables of
-/// its parts complain of.
+/// The list [[body]]. Complains of materials that do not fit the shape.
 void declare_bodies(Schema& schema);
 
 /// The name of that list.

@@ -9,7 +9,7 @@ void declare_scene_boundary(Schema& schema) {
   const auto face = [&](const char* leaf, mpm::FaceCondition SceneBoundary::*member) {
     keys.choice(leaf, member, kFaceConditions)
         .doc(
-            "Nothing (a point that leaves the grid ends the run), no motion through the face, no "
+            "Free (a point that leaves the grid ends the run), no motion through the face, no "
             "motion at all, or viscous stresses that absorb outgoing waves (5.43)-(5.50).");
   };
   face("x_low", &SceneBoundary::x_low);

@@ -5,7 +5,7 @@
 
 namespace zona::studies {
 
-/// What happens at the faces of the grid.
+/// Conditions at the faces of the grid.
 struct SceneBoundary {
   mpm::FaceCondition x_low, x_high, y_low, y_high, z_low, z_high;
 

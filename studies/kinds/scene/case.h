@@ -9,7 +9,7 @@
 
 namespace zona::studies {
 
-/// A scene, ready to run: everything that can be wrong with the input has been found.
+/// A scene, ready to run; all its input is checked.
 struct SceneCase {
   Configuration study;
   mpm::Model model;  ///< bodies in the order of the file

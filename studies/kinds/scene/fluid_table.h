@@ -9,7 +9,7 @@ namespace zona::studies {
 
 /// A [[body]] of gas or liquid.
 struct SceneFluid {
-  std::optional<Formula> pressure;  ///< at first, of the place [Pa]; always given
+  std::optional<Formula> pressure;  ///< initial, of the place [Pa]; always given
   std::optional<double> gamma;      ///< of a gas [-]; empty: a liquid
   double grueneisen;                ///< of a liquid [-]
   double p_infinity;                ///< of a liquid [Pa]

@@ -6,9 +6,8 @@ namespace zona::studies {
 
 void declare_holds(Schema& schema) {
   schema.list("hold",
-              "Nodes of the grid that move as prescribed. The force that this takes is in "
-              "history.csv.",
-              0, false);
+              "Nodes of the grid with a prescribed velocity. Their force is in history.csv.", 0,
+              false);
   TableKeys<Hold> keys(schema, "hold");
   declare_box(keys, "The box that the nodes lie in.");
   keys.choices("axes", &Hold::axes, kAxisNames, texts_of(kAxisNames))
@@ -16,7 +15,7 @@ void declare_holds(Schema& schema) {
   keys.formulas("velocity", &Hold::velocity, "m/s", {"x", "y", "z", "t"}, {"0", "0", "0"})
       .exactly(3)
       .in("[-1e9, 1e9]")
-      .doc("Velocity of the nodes, of their place and of time.");
+      .doc("Velocity of the nodes, a function of place and time.");
   schema.check_each(keys.section(), [](const Table& hold, const Complain& complain) {
     check_box<Hold>(hold, complain, true);
   });

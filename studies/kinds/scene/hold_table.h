@@ -6,7 +6,7 @@
 
 namespace zona::studies {
 
-/// A [[hold]]: nodes of the grid that move as prescribed, those in a box.
+/// A [[hold]]: nodes of the grid in a box, with a prescribed velocity.
 struct Hold : BoxKeys {
   std::vector<int> axes;          ///< components of the velocity that are held
   std::vector<Formula> velocity;  ///< x, y, z of it [m/s], of place and time

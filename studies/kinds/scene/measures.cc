@@ -17,7 +17,7 @@ Substance substance_of(const Configuration& study, const std::string& name) {
 }
 
 Parameter& declare_probed(Schema& schema, const std::string& key) {
-  return schema.reference(key, body_list(schema)).doc("The body that is probed.");
+  return schema.reference(key, body_list(schema)).doc("The probed body.");
 }
 
 Parameter& declare_averaged(Schema& schema, const std::string& key) {

@@ -24,9 +24,9 @@ void declare_body_motion(Schema& schema, const std::string& section, const Condi
   keys.choice("drive", &BodyMotion::drive, kDrives)
       .only_where(is_rigid)
       .doc(
-          "What carries the motion: the body's points, which the grid mixes with their "
-          "surroundings by mass, or every node that they touch, which is harsher but yields to "
-          "nothing.");
+          "Where the motion is prescribed: at the body's points, which the grid mixes with their "
+          "surroundings by mass, or at every node that they touch, which is harsher but does not "
+          "yield.");
 }
 
 }  // namespace zona::studies

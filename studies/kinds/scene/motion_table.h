@@ -7,9 +7,9 @@
 
 namespace zona::studies {
 
-/// How a [[body]] moves, by components x, y, z.
+/// Motion of a [[body]], by components x, y, z.
 struct BodyMotion {
-  std::vector<Formula> velocity;      ///< at first, of the place [m/s]; none of a rigid body
+  std::vector<Formula> velocity;      ///< initial, of the place [m/s]; none of a rigid body
   std::vector<Formula> displacement;  ///< of a rigid body, of time [m]; none of others
   mpm::Drive drive;                   ///< of a rigid body
 };

@@ -7,8 +7,8 @@ namespace zona::studies {
 
 /// Runs a scene, whose model it takes, and writes history.csv, profiles.csv, sections.csv,
 /// fields.h5 and fields.xdmf into the run directory. The session's results are set also when the
-/// run was interrupted or a point failed (mpm::PointError passes through): then they are about what
-/// was computed.
+/// run was interrupted or a point failed (mpm::PointError passes through): they then cover what was
+/// computed.
 void run_scene(SceneCase& scene, Session& session);
 
 }  // namespace zona::studies

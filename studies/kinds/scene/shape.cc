@@ -50,7 +50,7 @@ mpm::TriangulatedSurface make_surface(const BodyShape& body, const mpm::Backgrou
   return mpm::disc(body.center, body.normal, body.radius, rings);
 }
 
-/// Points of a body that is cut into equal parts whatever the cells.
+/// Points of a body that is cut into equal parts, independent of the cells.
 mpm::Lattice counted_points(const BodyShape& body, const mpm::BackgroundGrid& grid) {
   const auto& count = *body.points;
   if (body.shape != ShapeName::box) return mpm::tube(tube_of(body), count[0], count[1], count[2]);

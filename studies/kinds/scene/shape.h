@@ -10,11 +10,11 @@ namespace zona::studies {
 /// Whether a place [m] lies in a body's shape.
 using Inside = std::function<bool(const Eigen::Vector3d&)>;
 
-/// What a [[body]] encloses: its shape, the ball in an icosphere, nothing of a sheet or disc. Boxes
-/// hold their lower faces and not their upper ones, so that neighbours share no point.
+/// Volume that a [[body]] encloses: its shape, the ball in an icosphere, none for a sheet or disc.
+/// Boxes include their lower faces but not their upper ones, so that neighbours share no point.
 Inside inside_of(const BodyShape& body, const mpm::BackgroundGrid& grid);
 
-/// Points of a body with a volume, without those that `cut` says yes to.
+/// Points of a body with a volume, without those where `cut` is true.
 mpm::Lattice volume_points(const BodyShape& body, const mpm::BackgroundGrid& grid,
                            const Inside& inside, const Inside& cut);
 

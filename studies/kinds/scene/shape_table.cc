@@ -52,7 +52,7 @@ void declare_volumes(Keys& keys) {
   keys.references("outside", &BodyShape::outside, keys.section())
       .or_none()
       .only_where(of(keys, kVolumes))
-      .doc("Bodies whose shapes are cut out of this one, so that it fills what they leave.");
+      .doc("Bodies whose shapes are cut out of this one.");
 }
 
 void declare_sheet(Keys& keys, const Condition& sheet) {
@@ -71,13 +71,14 @@ void declare_surfaces(Keys& keys) {
   declare_sheet(keys, sheet);
   keys.choice("normal", &BodyShape::normal, kAxisNames, kAxisNames.back().value)
       .only_where(disc)
-      .doc("Axis that the disc stands across; its normal points along it.");
+      .doc("Axis along the normal of the disc.");
   keys.integer("level", &BodyShape::level, 0)
       .in("[0, 9]")
       .auto_by_default()
       .only_where(of(keys, {ShapeName::icosphere}))
       .doc(
-          "How often the triangles of an icosahedron are divided in four, 10 x 4^level + 2 points; "
+          "Number of subdivisions of an icosahedron, each of which divides every triangle into "
+          "four: 10 x 4^level + 2 points; "
           "\"auto\" keeps points at most a quarter of a cell apart.");
   keys.integer("rings", &BodyShape::rings, 0)
       .in("[1, 10000]")
@@ -101,7 +102,7 @@ void declare_points(Keys& keys) {
       .or_one_for_all()
       .in("[1, 100]")
       .only_where(of(keys, kVolumes))
-      .doc("Points along x, y and z that a full cell starts with.");
+      .doc("Initial points of a full cell along x, y and z.");
   keys.integers("points", &BodyShape::points, {})
       .exactly(3)
       .auto_by_default()

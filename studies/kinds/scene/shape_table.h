@@ -16,8 +16,7 @@ const Words<ShapeName>& shape_names();
 /// Whether a shape is a surface, as membranes have.
 bool is_surface(ShapeName shape);
 
-/// Where the points of a [[body]] are at first. Members that the shape does not have are zero or
-/// empty.
+/// Initial shape of a [[body]]. Members that the shape does not have are zero or empty.
 struct BodyShape : BoxKeys {
   ShapeName shape;
   Eigen::Vector3d center{0, 0, 0};                 ///< of a sphere, disc or icosphere [m]
@@ -30,7 +29,7 @@ struct BodyShape : BoxKeys {
   Eigen::Vector3d corner{0, 0, 0};                 ///< of a sheet [m]
   Eigen::Vector3d edge_u{0, 0, 0};                 ///< of a sheet, from its corner [m]
   Eigen::Vector3d edge_v{0, 0, 0};                 ///< the other one [m]
-  int normal;                                      ///< axis that a disc stands across
+  int normal;                                      ///< axis along the normal of a disc
   std::optional<int> level;                        ///< of an icosphere; empty: by the cells
   std::optional<int> rings;                        ///< of a disc; empty: by the cells
   std::optional<std::array<int, 2>> sheet_points;  ///< along the edges; empty: by the cells

@@ -4,7 +4,7 @@
 
 namespace zona::studies {
 
-/// How long a scene lasts; its step is StepChoice.
+/// Duration of a scene; its step is StepChoice.
 struct SceneTime {
   double end;  ///< [s]
 };

@@ -11,9 +11,9 @@
 
 namespace zona::studies::search {
 
-/// Computes piercings in batches for callers that run side by side, each in its own thread, and
-/// each want one result after another. A batch begins when every caller has asked or left, so that
-/// what is computed does not depend on the timing of threads.
+/// Computes piercings in batches for callers in threads of their own, each of which needs one
+/// result after another. A batch begins when every caller has asked or left, so that the batches do
+/// not depend on the timing of threads.
 class BatchEvaluator {
  public:
   explicit BatchEvaluator(std::size_t callers)
@@ -21,7 +21,7 @@ class BatchEvaluator {
 
   /// The result of a piercing for a caller, from 0; waits for it. Null when there will be none.
   nlohmann::json evaluate(std::size_t caller, const Configuration& piercing);
-  /// The caller asks no more.
+  /// The caller needs no more results.
   void leave(std::size_t caller);
 
   using Compute =

@@ -6,9 +6,9 @@
 
 namespace zona::studies::search {
 
-/// Where the results of piercings are kept.
+/// Cache of the results of piercings.
 struct Cache {
-  std::string folder;  ///< from the working directory; empty: in the run's directory
+  std::string folder;  ///< relative to the working directory; empty: in the run's directory
 };
 
 /// The key in [run], which must be open.

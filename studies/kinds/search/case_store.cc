@@ -54,7 +54,7 @@ class WaitingPiercings {
     numbers_.push_back(number);
   }
 
-  /// None is next from now on.
+  /// Empties the queue.
   void stop() {
     const std::lock_guard lock(mutex_);
     is_stopped_ = true;

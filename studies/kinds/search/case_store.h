@@ -33,8 +33,8 @@ class CaseStore {
   enum class State { complete, interrupted, busy };
 
   State compute(const Configuration& piercing, int threads, int part, Session& session) const;
-  /// Takes the results that are there, as parts of a stage that are done when they reach `longest`;
-  /// returns the numbers of the others.
+  /// Takes the results that exist, as parts of a stage that are done at `longest`; returns the
+  /// numbers of the others.
   std::deque<std::size_t> look_up(const std::vector<Configuration>& piercings, double longest,
                                   Progress& progress, std::vector<nlohmann::json>& results) const;
 

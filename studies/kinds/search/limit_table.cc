@@ -19,11 +19,11 @@ void check_bounds(const Table& limit, const Complain& complain) {
 }  // namespace
 
 void declare_limits(Schema& schema) {
-  schema.list("limit", "What a design must keep to.", 0, false);
+  schema.list("limit", "Limits that a design must keep.", 0, false);
   TableKeys<LimitTable> keys(schema, "limit");
   keys.choice("measure", &LimitTable::measure, measure_words())
       .without_default()
-      .doc("Of the tip or of the piercing." + measure_list());
+      .doc("Measure of the tip or of the piercing." + measure_list());
   keys.bound("at_least", &LimitTable::at_least).doc("Lowest value, with its unit.");
   keys.bound("at_most", &LimitTable::at_most).doc("Highest value, with its unit.");
   schema.check_each(keys.section(), check_bounds);

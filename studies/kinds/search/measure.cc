@@ -13,8 +13,7 @@ const std::vector<Measure>& measures() {
   static const std::vector<Measure> all = {
       {"mismatch", Of::tip, "", 1, "", "mismatch",
        "Root mean square of the difference between the tip's motion and that of the reference, "
-       "over "
-       "that of the reference, in the window of the piercing."},
+       "over that of the reference, in the window of the piercing."},
       {"residual_motion", Of::tip, "m", 1e6, "um", "residual motion",
        "Greatest displacement of the tip after the window of the piercing."},
       {"tip_amplitude", Of::tip, "m", 1e6, "um", "tip amplitude",
@@ -24,7 +23,7 @@ const std::vector<Measure>& measures() {
        "the piercing."},
       {"peak_velocity", Of::tip, "m/s", 1, "m/s", "tip speed", "Greatest speed of the tip."},
       {"support_peak", Of::tip, "m", 1e6, "um", "support peak",
-       "Greatest displacement of the support: what the drive must be able to do."},
+       "Greatest displacement of the support: what the drive must provide."},
       {"failed_area", Of::oocyte, "m^2", 1e12, "um^2", "failed area",
        "Undeformed area of the zona that failed."},
       {"hole_over_pipette", Of::oocyte, "", 1, "", "hole/pipette",
@@ -32,9 +31,10 @@ const std::vector<Measure>& measures() {
       {"largest_strain_away", Of::oocyte, "", 1, "", "strain away",
        "Greatest strain of the zona further than a pipette's diameter from hole and contact."},
       {"largest_displacement_away", Of::oocyte, "m", 1e6, "um", "deformation",
-       "Greatest displacement of the zona there."},
+       "Greatest displacement of the zona further than a pipette's diameter from hole and "
+       "contact."},
       {"deepest_indentation", Of::oocyte, "m", 1e6, "um", "indentation",
-       "How deep the pipette pushed the intact zona."},
+       "Greatest indentation of the intact zona by the pipette."},
       {"highest_cytoplasm_pressure", Of::oocyte, "Pa", 1e-3, "kPa", "pressure",
        "Highest pressure in the cytoplasm, cell by cell."},
       {"highest_cytoplasm_shear_rate", Of::oocyte, "1/s", 1e-3, "1/ms", "shear rate",

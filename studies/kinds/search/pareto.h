@@ -6,7 +6,7 @@
 namespace zona::studies::search {
 
 /// Number of fronts before that of each point: 0 on the Pareto front, 1 on the front of the rest,
-/// and so on (Deb et al. 2002). All coordinates are to be small: a point dominates another when
+/// and so on (Deb et al. 2002). All coordinates are minimised: a point dominates another when
 /// none of its coordinates is greater and one is less.
 std::vector<int> pareto_levels(const std::vector<std::vector<double>>& points);
 

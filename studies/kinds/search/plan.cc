@@ -76,8 +76,8 @@ void check_apart(const Configuration& search, const Plan& plan) {
   if (plan.candidates < count)
     problems.push_back(search.problem(
         &SearchTable::candidates,
-        fmt::format("{} are fewer than the {} combinations of listed values, of each of which at "
-                    "least one goes on; needs at least {}",
+        fmt::format("{} are fewer than the {} combinations of listed values, each of which needs "
+                    "one; needs at least {}",
                     plan.candidates, count, count)));
   if (!problems.empty()) throw InputError(problems);
 }

@@ -70,7 +70,7 @@ std::string ranking_text(const Record& record) {
   text += answer_text(record);
   for (const End& end : record.ends)
     if (!keeps(plan.limits_of(Measure::Of::oocyte), end.values))
-      text += fmt::format("With {} at the {} end of its range {} leaves the limits.\n",
+      text += fmt::format("With {} at the {} end of its range {} violates the limits.\n",
                           plan.uncertain[end.input].key, end.is_high ? "high" : "low", end.subject);
   return text;
 }

@@ -6,8 +6,8 @@
 
 namespace zona::studies::search {
 
-/// The finalists as a table for people, the best first, after the reference; then what the table
-/// says and which uncertain inputs make a design leave its limits. Needs verdicts.
+/// The finalists as a table for people, the best first, after the reference; then a summary and the
+/// uncertain inputs that make a design violate its limits. Needs verdicts.
 std::string ranking_text(const Record& record);
 
 }  // namespace zona::studies::search

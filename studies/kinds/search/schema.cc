@@ -18,7 +18,7 @@ Schema make_schema() {
   search::declare_variables(schema);
   search::declare_uncertain(schema);
   search::declare_limits(schema);
-  schema.section("run", "How the program runs. The results do not depend on it.");
+  schema.section("run", "Settings of the program, which do not change the results.");
   declare_threads_and_log(schema);
   search::declare_cache(schema);
   return schema;

@@ -15,10 +15,10 @@ void check_finalists(const Configuration& study, const Complain& complain) {
 void declare_objectives(Keys& keys) {
   keys.choices("tip_objectives", &SearchTable::tip_objectives, measure_words(Measure::Of::tip),
                {"mismatch", "residual_motion"})
-      .doc("What is to be small about the tip's motion; chooses the designs that go on to pierce.");
+      .doc("Measures of the tip's motion to minimise; they choose the designs that pierce.");
   keys.choices("objectives", &SearchTable::objectives, measure_words(),
                {"failed_area", "largest_strain_away", "residual_motion"})
-      .doc("What is to be small in the piercings; ranks them.");
+      .doc("Measures of the piercings to minimise; they rank the designs.");
 }
 
 void declare_beams(Keys& keys) {
@@ -34,19 +34,23 @@ void declare_beams(Keys& keys) {
           "values and each weighting of the tip's objectives.");
   keys.integer("divisions", &SearchTable::divisions, 2)
       .in("[1, 20]")
-      .doc("Steps of the weightings from one objective to the next; 2 of two make three.");
+      .doc(
+          "Steps of the weightings from one objective to the next: 2 steps and two objectives make "
+          "three weightings.");
 }
 
 void declare_piercings(Keys& keys) {
   keys.integer("candidates", &SearchTable::candidates, 12)
       .in("[1, 10000]")
-      .doc("Designs that pierce: of each combination of listed values its Pareto front, spread.");
+      .doc(
+          "Designs that pierce: for each combination of listed values, points spread over its "
+          "Pareto front.");
   keys.integer("refinements", &SearchTable::refinements, 0)
       .in("[0, 10000]")
       .doc(
           "Piercings that a second optimiser (NLopt's COBYLA) may then try from the best candidate "
-          "of each combination, up to as many as there are finalists, over the ranges. It makes "
-          "the worst of the objectives small, each over that of the reference; what it finds "
+          "of each combination, up to as many as there are finalists, over the ranges. It "
+          "minimises the worst of the objectives, each over that of the reference; the result "
           "becomes a candidate. 0 leaves it out.");
   keys.integer("finalists", &SearchTable::finalists, 12)
       .in("[1, 10000]")
@@ -66,13 +70,13 @@ void declare_uncertainty(Keys& keys) {
   keys.boolean("derivatives", &SearchTable::derivatives, true)
       .doc(
           "Whether reference and best design pierce again with each uncertain input at the ends of "
-          "its range: differences of all measures by every input.");
+          "its range, which gives the effect of every input on all measures.");
 }
 
 }  // namespace
 
 void declare_search(Schema& schema) {
-  Keys keys(schema, "search", "What is searched, and how hard.");
+  Keys keys(schema, "search", "Base study, objectives and effort of the search.");
   keys.file("study", &SearchTable::study_file, "")
       .without_default()
       .doc(
@@ -86,7 +90,7 @@ void declare_search(Schema& schema) {
       .doc(
           "Fluids in [fill] or [[column]] that an answer must do without; designs with them are "
           "kept for comparison.");
-  keys.integer("seed", &SearchTable::seed, 1).in("[0, 1000000000]").doc("Of the hypercubes.");
+  keys.integer("seed", &SearchTable::seed, 1).in("[0, 1000000000]").doc("Seed of the hypercubes.");
   schema.check(check_finalists);
 }
 

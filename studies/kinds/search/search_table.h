@@ -12,7 +12,7 @@
 
 namespace zona::studies::search {
 
-/// What is searched, and how hard.
+/// Base study, objectives and effort of the search.
 struct SearchTable {
   std::filesystem::path study_file;            ///< of the piercing that is varied
   std::vector<const Measure*> tip_objectives;  ///< choose designs by their beams

@@ -18,7 +18,7 @@ struct Dimension {
   std::vector<std::string> values;  ///< of a list, as TOML
   double low = 0, high = 0;         ///< of a range, in `unit`
   std::string unit;                 ///< as in the study file; empty for a pure number
-  bool is_logarithmic = false;      ///< even in the logarithm
+  bool is_logarithmic = false;      ///< sampled evenly in the logarithm
   std::string source;               ///< where the range comes from
 
   bool is_list() const { return !values.empty(); }

@@ -12,24 +12,23 @@ void declare_varied(TableKeys<T>& keys) {
       .without_default()
       .doc("A key of the study with one value, e.g. \"pulse.duration\" or \"fill.fluid\".");
   keys.anything("range", &Varied::range)
-      .doc("The lowest and the highest value, as the study would have them.");
+      .doc("The lowest and the highest value, written as in the study.");
   keys.anything("values", &Varied::values).doc("The values, instead of a range.");
-  keys.choice("scale", &Varied::scale, kScales)
-      .doc("Whether a range counts evenly, or evenly in its logarithm.");
+  keys.choice("scale", &Varied::scale, kScales).doc("Scale on which a range is sampled evenly.");
 }
 
 }  // namespace
 
 void declare_variables(Schema& schema) {
-  schema.list("variable", "What may be chosen: a key of the study with its values or its range.", 1,
+  schema.list("variable", "Inputs to choose: a key of the study with its values or its range.", 1,
               false);
   TableKeys<Variable> keys(schema, "variable");
   declare_varied(keys);
 }
 
 void declare_uncertain(Schema& schema) {
-  schema.list("uncertain", "What nobody knows exactly: a key of the study with its range, sampled.",
-              0, false);
+  schema.list("uncertain",
+              "Uncertain inputs, which are sampled: a key of the study with its range.", 0, false);
   TableKeys<Uncertain> keys(schema, "uncertain");
   declare_varied(keys);
   keys.text("source", &Uncertain::source, "")

@@ -7,7 +7,7 @@
 
 namespace zona::studies::search {
 
-/// How a range counts.
+/// Scale on which a range is sampled evenly.
 enum class Scale { linear, logarithmic };
 
 /// A key of the piercing that is varied, with its values or its range as that study has them.
@@ -21,7 +21,7 @@ struct Varied {
 /// A [[variable]], which a search chooses.
 struct Variable : Varied {};
 
-/// An [[uncertain]] input, which nobody knows exactly.
+/// An [[uncertain]] input, which is sampled.
 struct Uncertain : Varied {
   std::string source;  ///< where the range comes from
 };

@@ -15,7 +15,7 @@ void check_direction(const Configuration& study, const Complain& complain) {
   pulse.angle = study.value(&Pulse::angle);
   if (pulse.direction().along == 0 || study.value(&Support::supports) == Supports::clamped) return;
   complain(study.key(&Pulse::angle),
-           "a simply supported beam is moved across itself; needs \"90 deg\", or " +
+           "a simply supported beam can only be moved across its axis; needs \"90 deg\", or " +
                study.key(&Support::supports) + " = \"clamped\"");
 }
 
@@ -65,7 +65,7 @@ void declare_vibration_output(Schema& schema) {
   keys.boolean("history", &VibrationOutput::history, true)
       .doc(
           "Whether the tip's motion of every run is kept, in history.csv. Sweeps of thousands of "
-          "runs want only amplitudes.csv, which is always written.");
+          "runs need only amplitudes.csv, which is always written.");
 
   keys.boolean("sensitivities", &VibrationOutput::sensitivities, false)
       .doc(

@@ -8,7 +8,7 @@ namespace zona::studies {
 
 enum class Supports { clamped, pinned };
 
-/// How the beam is held, in [pipette].
+/// Supports of the beam, in [pipette].
 struct Support {
   Supports supports;
 };
@@ -19,7 +19,7 @@ struct Pulses {
   std::vector<double> angular_frequencies;  ///< of sines [rad/s]
 };
 
-/// What a vibration study writes.
+/// Output of a vibration study.
 struct VibrationOutput {
   bool history;
   bool sensitivities;

@@ -15,10 +15,10 @@ enum class Verdict {
 struct Check {
   std::string quantity;   ///< with its unit: "plateau stress [MPa]"
   std::string value;      ///< as shown
-  std::string reference;  ///< what it is held against, as shown
+  std::string reference;  ///< as shown
   std::string error;      ///< as shown; empty where there is none
   std::string limit;      ///< of the error or value; empty when only reported
-  std::string origin;     ///< where the limit comes from, or what the value means
+  std::string origin;     ///< origin of the limit, or meaning of the value
   Verdict verdict;
 };
 

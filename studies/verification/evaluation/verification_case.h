@@ -14,7 +14,7 @@
 
 namespace zona::studies::verification {
 
-/// How much of a case is computed: what fits into minutes, or everything.
+/// Extent of a case: the runs that fit into minutes, or all.
 enum class Extent { quick, full };
 
 /// The values of a quick verification, followed by those that a full one adds.
@@ -38,7 +38,7 @@ struct Run {
   std::vector<std::string> overrides;  ///< key=TOML-value
 };
 
-/// What the runs of a case say.
+/// Result of a case.
 struct Evaluation {
   std::vector<Check> checks;
   std::vector<Figure> figures;
@@ -55,7 +55,7 @@ struct Evaluation {
 };
 
 /// An example of the dissertation, or a basic problem that it lacks, with its reference solution.
-/// What is computed stands in study files alone; a case only compares.
+/// Study files say what is computed; a case only compares.
 struct Case {
   std::string name;       ///< "shock_tube"; what the command line calls it
   std::string title;      ///< "Shock tube"

@@ -61,7 +61,7 @@ TEST_CASE("tip shares are the mean of the mode times its tip value and sum to th
   CHECK(std::abs(sum - 1) < 4 / exact.root(2000));
 }
 
-TEST_CASE("the history is the modal sum that it replaces") {
+TEST_CASE("the history equals the modal sum that it replaces") {
   const ExactCantilever exact(uniform_beam(test::pipette_with("water")), 80);
   const RayleighDamping damping{50, 1e-7};
   const auto pulse = triangular_pulse(1, 61.7e-6);
@@ -97,7 +97,7 @@ TEST_CASE("eighty modes give the amplitudes known for a 60 us pulse") {
   }
 }
 
-TEST_CASE("the tip waits before it answers") {
+TEST_CASE("the tip hardly moves in the first 100 us") {
   // Bending waves are dispersive: the fastest of the 80 modes reach the tip early, with tiny
   // amplitudes.
   const ExactCantilever exact(uniform_beam(test::pipette_with("mercury")), 1000);

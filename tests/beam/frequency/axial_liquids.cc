@@ -55,7 +55,7 @@ double greatest_between(const TipHistory& tip, double from, double to) {
 
 }  // namespace
 
-TEST_CASE("the load of a bore is that of the modified Bessel functions and of their poles") {
+TEST_CASE("the load of a bore agrees with modified Bessel functions and their poles") {
   for (const double x : {1e-3, 0.1, 1., 10., 59.9, 60.1, 300.})
     CHECK(bore_ratio(x).real() ==
           Approx(x * std::cyl_bessel_i(1, x) / std::cyl_bessel_i(0, x)).epsilon(1e-11));
@@ -77,7 +77,7 @@ TEST_CASE("the load of a bore is that of the modified Bessel functions and of th
   }
 }
 
-TEST_CASE("of slow motions a bore's fluid follows as a whole, of fast ones a layer") {
+TEST_CASE("a bore's fluid follows slow motions as a whole, fast ones in a layer") {
   const Liquid mercury{13600, 1.526e-3};
   const double radius = 4e-6, mass = mercury.density * M_PI * radius * radius;
   const Complex slow(0, 10), fast(0, 1e9);
@@ -114,7 +114,7 @@ TEST_CASE("Maxwell elements represent the load of a bore, and that along a cylin
       }
 }
 
-TEST_CASE("the load within a taper is interpolated between few radii") {
+TEST_CASE("a few radii suffice to interpolate the load within a taper") {
   Pipette pipette = test::pipette_with("mercury", 20);
   pipette.profile = {{0, 10e-6, 8e-6}, {10e-3, 100e-6, 80e-6}};
   CHECK(test::interpolation_error(axial_rod(pipette).liquids.viscous) < 2e-4);
@@ -154,7 +154,7 @@ TEST_CASE("columns of fluids in a rod have the transfer function of their pieces
   }
 }
 
-TEST_CASE("a slow rod is drawn out by the inertia of glass and fluid") {
+TEST_CASE("the inertia of glass and fluid stretches a slow rod") {
   // u = g + g'' (rho_bar) (x^2/2 - L x)/EA: at the tip T = 1 - s^2 rho_bar L^2/(2 EA).
   const Pipette pipette = test::pipette_with("mercury", 10);
   const BeamSystem system = axial_rod(pipette);

@@ -75,7 +75,7 @@ TEST_CASE("the hydrodynamic function of a cylinder has Sader's values") {
   CHECK(std::abs(outer_ratio(thin) - (thin + 0.5 - 1. / (8. * thin))) < 1e-5);
 }
 
-TEST_CASE("the load on a taper is interpolated between few radii") {
+TEST_CASE("a few radii suffice to interpolate the load on a taper") {
   Pipette pipette = immersed("none", 10e-3, 20);
   pipette.profile = {{0, 10e-6, 8e-6}, {10e-3, 1e-3, 0.8e-3}};
   CHECK(test::interpolation_error(cantilever(pipette).liquids.viscous) < 1e-5);
@@ -146,7 +146,7 @@ TEST_CASE("the inverse transform gives the motion of modal superposition in vacu
   CHECK(test::greatest_difference(modal.displacement, transform.displacement) < 2e-5);
 }
 
-TEST_CASE("the inverse transform is as good at the end of the samples as at their beginning") {
+TEST_CASE("the inverse transform is as accurate at the last samples as at the first") {
   // Stiff and hardly damped, driven by kinks between the samples, which resolve only a small part.
   Pipette pipette = test::pipette_with("water", 80);
   pipette.length = 2.52e-3;
@@ -183,7 +183,7 @@ TEST_CASE("immersed, the inverse transform gives the exact motion of the tip") {
     }
 }
 
-TEST_CASE("fully immersed, the dense fill rings more") {
+TEST_CASE("a fully immersed pipette rings more with a dense fill") {
   // Expected for 10 mm in water: 0.007 empty, 0.009 water, 0.011 Fluorinert, 0.073 mercury.
   const std::vector<std::pair<std::string, double>> known{
       {"none", 0.007}, {"water", 0.009}, {"fluorinert", 0.011}, {"mercury", 0.073}};
@@ -266,7 +266,7 @@ TEST_CASE("beams in frequency and in time have the exact response up to the sixt
   }
 }
 
-TEST_CASE("a bath of constant mass and drag is the same to Newmark and the transform") {
+TEST_CASE("Newmark and the transform agree for a bath of constant mass and drag") {
   Pipette pipette = immersed("water", 3e-3, 20);
   pipette.bath.model = BathModel::constant;
   pipette.bath.frequency = 3e3;
@@ -278,7 +278,7 @@ TEST_CASE("a bath of constant mass and drag is the same to Newmark and the trans
         3e-3 * greatest(transform.displacement));
 }
 
-TEST_CASE("modes in a bath are those of the exact transfer function") {
+TEST_CASE("modes in a bath agree with the exact transfer function") {
   // A thick, slow-moving rod: its modes are sharp, so that a mode is a peak of the response.
   Pipette pipette = immersed("none", 10e-3);
   pipette.outer_diameter = 200e-6;
@@ -329,7 +329,7 @@ TEST_CASE("a loss factor damps every mode by half of itself") {
   CHECK(oscillators(system, modes, 2).decay_rate(1) == Approx(0.015 * modes.angular_frequency(1)));
 }
 
-TEST_CASE("a quadratic drag takes energy out in proportion to the amplitude") {
+TEST_CASE("a quadratic drag dissipates in proportion to the amplitude") {
   // The drag vanishes at small amplitudes and lowers the response per amplitude at large ones.
   Pipette pipette = immersed("mercury", 10e-3, 20);
   pipette.bath.drag_coefficient = 2;
@@ -378,7 +378,7 @@ TEST_CASE(
   CHECK(tip.support[late] - tip.displacement[late] == Approx(bent).epsilon(2e-5));
 }
 
-TEST_CASE("what a bath cannot have is refused") {
+TEST_CASE("invalid baths are refused") {
   Pipette pipette = immersed("water", 1e-3, 10);
   const auto pulse = triangular_pulse(1, 60e-6);
   const Sampling sampling{1e-4, 1e-6};

@@ -10,14 +10,14 @@
 using namespace zona::beam;
 using Catch::Matchers::Contains;
 
-TEST_CASE("the default pipette full of mercury is that of Table 5.5") {
+TEST_CASE("the default pipette full of mercury has the properties of Table 5.5") {
   const UniformBeam beam = uniform_beam(test::pipette_with("mercury"));
   // Half a unit of the last digit printed; the rigidity is printed as 183.86, the modulus as 63.44.
   CHECK(beam.flexural_rigidity == Approx(183.86e-13).epsilon(1e-4));
   CHECK(beam.mass_per_length == Approx(7.486e-7).margin(0.0005e-7));
 }
 
-TEST_CASE("the total mass and the rigid motion come out of the matrices") {
+TEST_CASE("the matrices give the total mass and the rigid motion") {
   const Pipette pipette = test::pipette_with("water", 7);
   const UniformBeam beam = uniform_beam(pipette);
   const BeamSystem system = cantilever(pipette);
@@ -42,7 +42,7 @@ TEST_CASE("the static tip deflection under a tip force is exact") {
   CHECK(system.observation.dot(deflection) == Approx(exact).epsilon(1e-9));
 }
 
-TEST_CASE("a pipette that cannot be is refused with the value, the limit and the remedy") {
+TEST_CASE("an impossible pipette is refused with the value, the limit and the remedy") {
   const auto refuse = [](auto change, const char* first, const char* second) {
     Pipette pipette;
     change(pipette);
@@ -59,7 +59,7 @@ TEST_CASE("a pipette that cannot be is refused with the value, the limit and the
   refuse([](Pipette& p) { p.damping_beta = -1; }, "damping_beta is -1", "at least 0");
 }
 
-TEST_CASE("fluids are those of Table 5.7, and others by increasing density") {
+TEST_CASE("named fluids are those of Table 5.7 and others, by increasing density") {
   CHECK(named_fluid("none").density == 0);
   CHECK(named_fluid("water").density == 1000);
   CHECK(named_fluid("fluorinert").density == 1780);
@@ -71,7 +71,7 @@ TEST_CASE("fluids are those of Table 5.7, and others by increasing density") {
   CHECK_THROWS_WITH(named_fluid("mercry"), Contains("'mercry'") && Contains("mercury"));
 }
 
-TEST_CASE("support motions and runs that make no sense are refused") {
+TEST_CASE("invalid support motions and runs are refused") {
   const BeamSystem system = cantilever(Pipette{});
   const auto pulse = triangular_pulse(1e-6, 60e-6);
   CHECK_THROWS_WITH(triangular_pulse(1e-6, 0), Contains("duration is 0"));

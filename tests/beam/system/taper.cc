@@ -30,7 +30,7 @@ TEST_CASE("a solid cone vibrates with its known frequencies") {
   }
 }
 
-TEST_CASE("a profile that tapers nowhere is the uniform pipette") {
+TEST_CASE("a constant profile equals the uniform pipette") {
   const Pipette uniform = test::pipette_with("mercury", 40);
   Pipette profiled = uniform;
   profiled.profile = {{0, 10e-6, 8e-6}, {4e-3, 10e-6, 8e-6}, {10e-3, 10e-6, 8e-6}};
@@ -83,7 +83,7 @@ TEST_CASE("the load on a tapering pipette is that of many short cylinders") {
   }
 }
 
-TEST_CASE("profiles and columns that make no sense are refused") {
+TEST_CASE("invalid profiles and columns are refused") {
   Pipette pipette;
   pipette.profile = {{0, 10e-6, 8e-6}, {0, 10e-6, 8e-6}};
   CHECK_THROWS_WITH(check(pipette), Catch::Contains("increase"));
@@ -96,7 +96,7 @@ TEST_CASE("profiles and columns that make no sense are refused") {
   CHECK_THROWS_WITH(check(pipette), Catch::Contains("end later"));
 }
 
-TEST_CASE("trapezoids, half sines and trains are what they say") {
+TEST_CASE("trapezoids, half sines and trains have their shapes") {
   const auto trapezoid = trapezoidal_pulse(2, 100e-6, 20e-6);
   CHECK(displacement(trapezoid, 10e-6) == Approx(1));
   CHECK(displacement(trapezoid, 50e-6) == 2);

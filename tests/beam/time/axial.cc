@@ -133,7 +133,7 @@ TEST_CASE("transform and Newmark agree on a rod of lossy glass") {
             newmark, integrate_by_transform(rod, pulse, sampling).displacement) < 1e-9);
 }
 
-TEST_CASE("a rod is held at one end, has an axial rigidity and answers in proportion") {
+TEST_CASE("a rod is held at one end, has an axial rigidity and responds linearly") {
   Section section;
   section.length = 1;
   section.flexural_rigidity = section.mass_per_length = [](double) { return 1; };

@@ -64,7 +64,7 @@ TEST_CASE("ARKODE's error follows its tolerance, explicit and implicit") {
   }
 }
 
-TEST_CASE("modal superposition with kinks anywhere is exact whatever the sampling") {
+TEST_CASE("modal superposition with kinks anywhere is exact at any sampling") {
   const BeamSystem system = cantilever(test::pipette_with("water", 8));
   const SampledMotion trace{{3e-6, 10e-6, 17.3e-6, 40e-6, 55.1e-6}, {0, 1, 0.3, 0.7, 0.2}};
   const TipHistory coarse = integrate(system, trace, {1e-3, 20e-6}, Modal{});

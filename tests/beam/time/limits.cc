@@ -59,7 +59,7 @@ TEST_CASE("the response is linear in the pulse") {
     CHECK(two.displacement[i] == Approx(-2 * one.displacement[i]).margin(1e-15));
 }
 
-TEST_CASE("one mode under Rayleigh damping decays as the closed form says") {
+TEST_CASE("one mode under Rayleigh damping decays as in closed form") {
   Pipette pipette = test::pipette_with("mercury");
   pipette.damping_alpha = 100;
   pipette.damping_beta = 1e-5;

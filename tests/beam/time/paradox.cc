@@ -51,7 +51,7 @@ double frequency_error_bound(const ExactPinnedBeam& beam, int elements, double e
 
 }  // namespace
 
-TEST_CASE("Figure 5.26 is what (5.74) gives when the support's initial velocity is dropped") {
+TEST_CASE("(5.74) without the initial velocity of the support gives Figure 5.26") {
   const ExactPinnedBeam beam = figure_5_26(208000);
   const double printed = greatest_centre_deflection(beam, 20e-3, SupportStart::as_printed);
   // The text says 26 %. The spurious first mode alone is 2/pi A w / omega_1 = 27.1 % of the length.

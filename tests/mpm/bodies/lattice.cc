@@ -56,7 +56,7 @@ TEST_CASE("A disc is a fan of rings with one normal") {
   }
 }
 
-TEST_CASE("Lattices stand for the volume that they fill") {
+TEST_CASE("Lattices represent the volume that they fill") {
   const BackgroundGrid grid(Vector3d::Zero(), Vector3d::Constant(0.1), {10, 10, 10});
   const auto all = fill_cells(grid, {2, 3, 1}, [](const Vector3d&) { return true; });
   CHECK(all.places.size() == 6000);
@@ -72,7 +72,7 @@ TEST_CASE("Lattices stand for the volume that they fill") {
   }
 }
 
-TEST_CASE("Surfaces refuse triangles that make no sense") {
+TEST_CASE("Surfaces refuse invalid triangles") {
   const std::vector<Vector3d> places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
   CHECK_THROWS_AS(Surface({{0, 1, 4}}, places), ModelError);
   CHECK_THROWS_AS(Surface({{0, 1, 2}}, places), ModelError);             // point 3 in no triangle

@@ -83,7 +83,7 @@ TEST_CASE("Plane stress localises where the membrane does, a free solid in three
   }
 }
 
-TEST_CASE("A wrinkled or failed membrane leaves its free strain where it is") {
+TEST_CASE("A wrinkled or failed membrane keeps its free strain") {
   SinglePoint strip(MembraneProperties{1000, 1, 17.9e3, 0.49, OneWay::stress}, Elastodamage{});
   for (int step = 1; step <= 700; ++step) {
     CHECK(step_to(strip, {1e-4 * step, 0, 0, 0, 0, 0}, {false, true, false, true, false, false}) <
@@ -93,7 +93,7 @@ TEST_CASE("A wrinkled or failed membrane leaves its free strain where it is") {
   CHECK(strip.sample().left == 0);
 }
 
-TEST_CASE("Points that make no sense are refused") {
+TEST_CASE("Invalid points are refused") {
   CHECK_THROWS_AS(SinglePoint(ElasticModuli{1, 0.5}, Elastic{}), ModelError);
   CHECK_THROWS_AS(SinglePoint(stiff, VonMises{}), ModelError);
   CHECK_THROWS_AS(SinglePoint(MembraneProperties{1000, 1, 1, 0.3, OneWay::off}, VonMises{}),

@@ -100,7 +100,7 @@ TEST_CASE("Held nodes drive Couette flow from its start, at second order") {
   CHECK(std::log2(point_error[0] / point_error[1]) > (linear ? 1.8 : 0.95));
 }
 
-TEST_CASE("What a held edge gives is the momentum that is missing") {
+TEST_CASE("A held edge supplies the missing momentum") {
   BarModel bar(12, 0.1, GENERATE(Interpolation::linear, Interpolation::quadratic));
   Model model{bar.grid, {}, {}, Vector3d(0, 0, -9.81)};
   auto points = bar.points(0, 1, {2, 2, 2}, 1000);

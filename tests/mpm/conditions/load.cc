@@ -97,7 +97,7 @@ TEST_CASE("A bar pulled at its end carries F/A and moves with F/(A rho c) behind
   CHECK(momentum_of(solver).x() == Approx(given).epsilon(1e-10));
 }
 
-TEST_CASE("A force is shared by mass and carried by the points it was given to") {
+TEST_CASE("A force is shared by mass and stays with its points") {
   BarModel bar(10, 1);
   Model model{bar.grid, {}, {}, Vector3d::Zero()};
   auto points = bar.points(2, 4, {2, 2, 2}, 1);
@@ -135,7 +135,7 @@ TEST_CASE("Pressure on a closed surface has no resultant, on an open one that of
   CHECK(resultant(std::move(flat)).isApprox(Vector3d(0, 0, 4 * p), 1e-12));
 }
 
-TEST_CASE("Pressure blows a sphere up evenly") {
+TEST_CASE("Pressure inflates a sphere evenly") {
   Model model = membrane_in_box(icosphere(Vector3d::Zero(), 1, 4));
   const double p = 7, dt = 1e-4;
   model.pressures.push_back({"membrane", [&](double) { return p; }});
@@ -149,7 +149,7 @@ TEST_CASE("Pressure blows a sphere up evenly") {
   CHECK(work_per_distance == Approx(4 * M_PI * p).epsilon(0.05));
 }
 
-TEST_CASE("Loads that cannot act are refused") {
+TEST_CASE("Impossible loads are refused") {
   const auto one = [](double) { return 1.0; };
   const auto push = [](double) { return Vector3d(1, 0, 0); };
   const Box everywhere{{-2, -2, -2}, {2, 2, 2}};

@@ -52,7 +52,7 @@ std::string end_of(const std::string& image) {
 
 }  // namespace
 
-TEST_CASE("a checkpoint gives back what it was given, and its labels", "[checkpoint]") {
+TEST_CASE("a checkpoint restores its state and its labels", "[checkpoint]") {
   const ScratchDirectory scratch;
   State state;
   write_checkpoint(scratch / "a", {{"version", "1"}, {"study", ""}}, state.visit());
@@ -65,7 +65,7 @@ TEST_CASE("a checkpoint gives back what it was given, and its labels", "[checkpo
   CHECK_FALSE(std::filesystem::exists(scratch / "a.tmp"));
 }
 
-TEST_CASE("any damage to a checkpoint is noticed", "[checkpoint]") {
+TEST_CASE("any damage to a checkpoint is detected", "[checkpoint]") {
   const ScratchDirectory scratch;
   const std::string path = scratch / "a";
   write_checkpoint(path, {}, State().visit());
@@ -86,7 +86,7 @@ TEST_CASE("any damage to a checkpoint is noticed", "[checkpoint]") {
   CHECK_THROWS_AS(Checkpoint(scratch.path()), CheckpointError);
 }
 
-TEST_CASE("a file that has a right hash but holds no state is refused", "[checkpoint]") {
+TEST_CASE("a file with a valid hash but without a state is refused", "[checkpoint]") {
   const ScratchDirectory scratch;
   const std::string path = scratch / "a";
   for (const std::string image : {"", "plain text", "\x89HDF\r\n\x1a\n"}) {
@@ -118,7 +118,7 @@ TEST_CASE("a checkpoint of another model is refused", "[checkpoint]") {
       Catch::Contains("unknown") && Catch::Contains("belongs to another model"));
 }
 
-TEST_CASE("a checkpoint that cannot be written leaves the old one", "[checkpoint]") {
+TEST_CASE("a failed write keeps the old checkpoint", "[checkpoint]") {
   CHECK_THROWS_WITH(write_checkpoint("/proc/none/a", {}, State().visit()),
                     Catch::Contains("/proc/none/a: cannot be written (No such file"));
   const ScratchDirectory scratch;

@@ -41,7 +41,7 @@ PointCloud dots() {
 
 }  // namespace
 
-TEST_CASE("frames come back with physical times, positions and fields", "[frames]") {
+TEST_CASE("frames are read back with physical times, positions and fields", "[frames]") {
   const ScratchDirectory scratch;
   const std::string& folder = scratch.path();
   FrameWriter writer(folder);
@@ -114,7 +114,7 @@ TEST_CASE("the XDMF file is closed after every frame and points to existing data
   CHECK_FALSE(std::filesystem::exists(folder + "/fields.xdmf.tmp"));
 }
 
-TEST_CASE("a resumed run leaves the files that it would have left uninterrupted", "[frames]") {
+TEST_CASE("a resumed run writes the same files as an uninterrupted one", "[frames]") {
   const ScratchDirectory scratch, whole;
   const auto add = [](FrameWriter& writer, int i) {
     PointCloud torn = tetrahedron(i);
@@ -144,7 +144,7 @@ TEST_CASE("a resumed run leaves the files that it would have left uninterrupted"
   CHECK_FALSE(std::filesystem::exists(scratch / "fields/000005.h5.tmp"));
 }
 
-TEST_CASE("inconsistent clouds are refused with the cloud's name and leave no trace", "[frames]") {
+TEST_CASE("inconsistent clouds are refused with the cloud's name and not written", "[frames]") {
   const ScratchDirectory scratch;
   const std::string& folder = scratch.path();
   FrameWriter writer(folder);

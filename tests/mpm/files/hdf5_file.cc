@@ -13,7 +13,7 @@ using zona::mpm::Hdf5File;
 
 using zona::tests::ScratchDirectory;
 
-TEST_CASE("HDF5 datasets and attributes come back to the last bit", "[hdf5]") {
+TEST_CASE("HDF5 datasets and attributes are read back to the last bit", "[hdf5]") {
   const ScratchDirectory scratch;
   const std::string path = scratch / "round_trip.h5";
   const std::vector<double> doubles{0.1, -1e-300, 3.0, 1.0 / 3, 5.5, -0.0};
@@ -45,7 +45,7 @@ TEST_CASE("HDF5 datasets and attributes come back to the last bit", "[hdf5]") {
   CHECK(file.children("/") == std::vector<std::string>{"a", "integers", "long", "nothing"});
 }
 
-TEST_CASE("an HDF5 file says what it contains, and takes nothing after it is closed", "[hdf5]") {
+TEST_CASE("an HDF5 file lists its contents and refuses writes after it is closed", "[hdf5]") {
   const ScratchDirectory scratch;
   const std::string path = scratch / "closed.h5";
   Hdf5File writer = Hdf5File::create(path);
@@ -92,7 +92,7 @@ TEST_CASE("HDF5 errors name the file, the dataset and the problem", "[hdf5]") {
   CHECK_THAT(message_of([&] { Hdf5File::open(scratch / "not_hdf5.h5"); }), Contains("not_hdf5.h5"));
 }
 
-TEST_CASE("a dataset that its file cannot hold is refused before memory is taken", "[hdf5]") {
+TEST_CASE("a dataset that its file cannot hold is refused before memory is allocated", "[hdf5]") {
   const ScratchDirectory scratch;
   const std::string path = scratch / "claims.h5";
   constexpr std::uint64_t length = 12345;
@@ -115,7 +115,7 @@ TEST_CASE("a dataset that its file cannot hold is refused before memory is taken
   }
 }
 
-TEST_CASE("threads take turns to have files open", "[hdf5]") {
+TEST_CASE("threads take turns with open files", "[hdf5]") {
   const ScratchDirectory scratch;
   const std::vector<double> values(1000, 0.1);
   const auto write_files = [&](const std::string& name) {

@@ -48,7 +48,7 @@ TEST_CASE("Bricks of one colour share no node and cover every cell once") {
   CHECK(std::all_of(covered.begin(), covered.end(), [](int times) { return times == 1; }));
 }
 
-TEST_CASE("The index kept up to date equals one built anew") {
+TEST_CASE("An updated index equals one built anew") {
   const BackgroundGrid grid = grid_of(9, 10, 11);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -83,7 +83,7 @@ TEST_CASE("The index kept up to date equals one built anew") {
   }
 }
 
-TEST_CASE("Places outside the grid and places that are no numbers have no cell") {
+TEST_CASE("Places outside the grid and places with NaN have no cell") {
   const BackgroundGrid grid = grid_of(4, 4, 4);
   CHECK(grid.cell_at(-1, 0, 2)[0] == 0);
   CHECK(grid.cell_at(-1.0001, 0, 2)[0] == -1);

@@ -126,7 +126,7 @@ TEST_CASE("The one-step update, and complete failure where it snaps back") {
   CHECK(longest == Approx(0.22e-6).epsilon(0.01));
 }
 
-TEST_CASE("A surface that is pulled open as it wants to open: F = 0, energy u0 tau0 q/(q + 1)") {
+TEST_CASE("A surface pulled open along its preferred direction: F = 0, energy u0 tau0 q/(q + 1)") {
   for (const auto& [ratio, exponent] :
        {std::pair(10.0, 1.0), std::pair(1.0, 1.0), std::pair(0.1, 1.0), std::pair(1.0, 2.0)}) {
     INFO("c_m " << ratio << ", q " << exponent);
@@ -211,7 +211,7 @@ TEST_CASE("A closed surface carries compression and can slide") {
   CHECK(point.stress().trace() / 3 < -1e6);
 }
 
-TEST_CASE("Decohesion that makes no sense is refused") {
+TEST_CASE("Invalid decohesion is refused") {
   Decohesion m;
   CHECK_NOTHROW(check(m));
   m.exponent = 0.5;

@@ -23,7 +23,7 @@ Matrix3d elastic_stress(const Matrix3d& strain) {
 
 }  // namespace
 
-TEST_CASE("Figure 5.7: the stiffness that is left, by c0 and c1") {
+TEST_CASE("Figure 5.7: remaining stiffness by c0 and c1") {
   for (double c0 : {0.25, 0.5, 1.0}) {
     const Elastodamage law{c0, 1, 0.05};
     CHECK(law.integrity(0) == 1);
@@ -88,7 +88,7 @@ TEST_CASE("A damaged solid that turns keeps its strain and its damage") {
   CHECK(point.solid.state.integrity[0] == Approx(integrity).epsilon(1e-3));
 }
 
-TEST_CASE("Elastodamage that makes no sense is refused") {
+TEST_CASE("Invalid elastodamage is refused") {
   CHECK_THROWS_AS(check(Elastodamage{10, 10, 0}), ModelError);
   CHECK_THROWS_AS(check(Elastodamage{-1, 10, 0.1}), ModelError);
   CHECK_THROWS_AS(Solid<Elastodamage>(shell, 1, Elastodamage{1, -1, 0.1}), ModelError);

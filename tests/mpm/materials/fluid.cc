@@ -142,7 +142,7 @@ TEST_CASE("Sound speeds of 5.4") {
   CHECK(Fluid({1000, {4, 2.12e8}, 0, 0, {}}, 1).wave_speed() == Approx(1029.6).epsilon(1e-4));
 }
 
-TEST_CASE("Fluids that make no sense are refused, and so is a density lost in a step") {
+TEST_CASE("Invalid fluids are refused, and so is a density lost in a step") {
   CHECK_THROWS_AS(Fluid({0, {4, 6e8}, 0, 0, {}}, 1), ModelError);
   CHECK_THROWS_AS(Fluid({1, {4, 6e8}, 0, -1, {}}, 1), ModelError);
   CHECK_THROWS_AS(Fluid({1, {0.4, 0}, 0, 0, {}}, 1), ModelError);

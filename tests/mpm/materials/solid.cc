@@ -62,7 +62,7 @@ TEST_CASE("Stress turns with the body, first order in the step") {
   }
 }
 
-TEST_CASE("Solids that make no sense are refused") {
+TEST_CASE("Invalid solids are refused") {
   CHECK_THROWS_AS(LinearElastic({1000, 1e7, 0.5}, 1), ModelError);
   CHECK_THROWS_AS(LinearElastic({1000, -1, 0.2}, 1), ModelError);
 }

@@ -84,7 +84,7 @@ TEST_CASE("A bar of chapter 3 flows at 300 MPa, no hardening, Poisson's ratio ze
   CHECK(equivalent_stress_of(bar.stress()) < 300e6 * (1 - 1e-3));
 }
 
-TEST_CASE("Softening that snaps back leaves nothing of the strength, and all of the pressure") {
+TEST_CASE("Softening that snaps back removes all strength and no pressure") {
   const VonMises zona{1062.795, 1062.805, 17.9, 179e3, {}};
   const ElasticProperties soft{1100, 17.9e3, 0.49};
   CHECK(tangent_coefficient(-179e3, soft.moduli().shear(), 1) < 0);
@@ -219,7 +219,7 @@ TEST_CASE("Plane stress: the stress of the solid whose thickness strain frees it
   CHECK(across_peak > 20);
 }
 
-TEST_CASE("Plane stress: nothing is left where the strength ends or the softening snaps back") {
+TEST_CASE("Plane stress: no stress remains where the strength ends or the softening snaps back") {
   const ElasticModuli e = steel.moduli();
   for (const VonMises& law : {softening, VonMises{300e6, 330e6, 5e9, 1e12, {}}}) {
     const PlaneStressFlow flow({2e10, -1e10, 3e9}, e);
@@ -235,7 +235,7 @@ TEST_CASE("Plane stress: nothing is left where the strength ends or the softenin
   CHECK(flow.increment(t) == Approx(1e-3).epsilon(1e-12));
 }
 
-TEST_CASE("Von Mises models that make no sense are refused") {
+TEST_CASE("Invalid von Mises models are refused") {
   CHECK_THROWS_AS(check(VonMises{0, 1, 1, 1, {}}), ModelError);
   CHECK_THROWS_WITH(check(VonMises{2, 1, 1, 1, {}}), Catch::Contains("below the yield strength"));
   CHECK_THROWS_AS(check(VonMises{1, 1, -1, 0, {}}), ModelError);

@@ -157,8 +157,7 @@ TEST_CASE("The local frame follows the normals as the exact rotation does") {
   CHECK(std::abs(x.dot(y)) < 1e-14);
 }
 
-TEST_CASE(
-    "Failed points lose their stress, keep failing state, and their triangles leave the surface") {
+TEST_CASE("Failed points lose their stress and stay failed; their triangles leave the surface") {
   {
     SmallSheet s(true, Elastodamage{}, OneWay::stress);
     Matrix3d f = Vector3d(1.0595, 1, 1).asDiagonal();
@@ -196,7 +195,7 @@ TEST_CASE("A failed point does not stretch its neighbours in objective kinematic
   }
 }
 
-TEST_CASE("Membranes that make no sense are refused") {
+TEST_CASE("Invalid membranes are refused") {
   const auto s = sheet(Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY(), 3, 3);
   const auto points = make_points(s.places, std::vector<double>(9, 1.0));
   CHECK_THROWS_AS(Membrane({1100, 0, 17.9e3, 0.49, OneWay::off}, {}, false, points, s.triangles),

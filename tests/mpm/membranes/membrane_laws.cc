@@ -110,7 +110,7 @@ TEST_CASE("Membrane paths: on the flow surface, in the plane, never negative dis
   }
 }
 
-TEST_CASE("What has flowed turns with an objective membrane") {
+TEST_CASE("Plastic strain turns with an objective membrane") {
   SmallSheet s(true, gentle, OneWay::stress);
   Matrix3d f = Matrix3d::Identity();
   f(0, 0) = 1.05;
@@ -126,7 +126,7 @@ TEST_CASE("What has flowed turns with an objective membrane") {
   CHECK(state_of(s).internal[7] == Approx(internal).epsilon(1e-8));
 }
 
-TEST_CASE("Both kinematics flow alike in a membrane that stays flat") {
+TEST_CASE("Both kinematics give the same plastic flow in a flat membrane") {
   SmallSheet objective(true, gentle, OneWay::stress), summed(false, gentle, OneWay::stress);
   auto& k = std::get<SummedStrainKinematics>(summed.membrane.kinematics);
   VelocityGradient l{};
@@ -276,7 +276,7 @@ TEST_CASE("Total strains and increments of them give one stress (Figure 5.9)") {
   }
 }
 
-TEST_CASE("Laws of membranes that make no sense are refused") {
+TEST_CASE("Invalid laws of membranes are refused") {
   CHECK_THROWS_AS(SmallSheet(true, VonMises{}), ModelError);
   VonMises law = zona_law();
   law.decohesion->cell.setZero();

@@ -37,7 +37,7 @@ double strain_after_tilting(bool objective, double tilting) {
 
 }  // namespace
 
-TEST_CASE("A membrane that flies without turning is not strained") {
+TEST_CASE("A membrane in translation is not strained") {
   for (bool objective : {false, true}) CHECK(strain_after_tilting(objective, 0) < 1e-10);
 }
 

@@ -33,7 +33,7 @@ Model water() {
 
 }  // namespace
 
-TEST_CASE("averages over cells of a linear field are its values in the middle", "[frames]") {
+TEST_CASE("cell averages of a linear field are its values at the centres", "[frames]") {
   const Solver solver(water(), 1e-6, 1);
   const CellFields cells = cell_averages(solver.body("water"), solver.grid(), "cells");
   CHECK(cells.boundaries[1].size() == 7);
@@ -59,7 +59,7 @@ TEST_CASE("averages over cells of a linear field are its values in the middle", 
   }
 }
 
-TEST_CASE("cells are written beside clouds, wrong ones refused", "[frames]") {
+TEST_CASE("cells are written beside clouds, invalid ones refused", "[frames]") {
   const zona::tests::ScratchDirectory scratch;
   FrameWriter writer(scratch.path());
   const CellFields good{"cells", {{{0, 1, 2}, {0, 1}, {0, 1, 2, 3}}}, {{"a", {1, 2, 3, 4, 5, 6}}}};

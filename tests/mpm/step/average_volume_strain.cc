@@ -129,7 +129,7 @@ TEST_CASE("With averaged rates the nodal forces do the work of the stresses") {
   CHECK(forces == Approx(-stresses).epsilon(1e-12));
 }
 
-TEST_CASE("Averaging quiets the pressure of a vortex and makes it more accurate") {
+TEST_CASE("Averaging smooths the pressure of a vortex and makes it more accurate") {
   const auto after = [](bool average) {
     const VortexModel vortex{8, 3, average};
     Solver solver = vortex.solver();

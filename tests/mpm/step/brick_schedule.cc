@@ -63,7 +63,7 @@ TEST_CASE("Every brick is done once, after those of lower colours that it shares
   }
 }
 
-TEST_CASE("The time of bricks is taken while it is asked for") {
+TEST_CASE("The time of bricks is measured on request") {
   const BackgroundGrid grid(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones(), {8, 8, 8});
   BrickSchedule schedule(grid, 2);
   CHECK_FALSE(schedule.is_timing());

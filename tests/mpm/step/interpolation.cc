@@ -116,7 +116,7 @@ TEST_CASE("A bar that drifts through the cells: quadratic functions converge, li
   CHECK(stalled.stress > 10 * fine.stress);
 }
 
-TEST_CASE("The energy of a closed box stays, if the mean pressure does the work") {
+TEST_CASE("The energy of a closed box is conserved if the mean pressure does the work") {
   const auto interpolation = GENERATE(Interpolation::linear, Interpolation::quadratic);
   const auto average = GENERATE(false, true);
   const auto gained = [&](EnergyIncrement increment) {
@@ -139,7 +139,7 @@ TEST_CASE("The energy of a closed box stays, if the mean pressure does the work"
   CHECK(end > 5 * std::abs(mean));
 }
 
-TEST_CASE("Quadratic functions quiet the pressure of a vortex without averaging") {
+TEST_CASE("Quadratic functions smooth the pressure of a vortex without averaging") {
   const auto after = [](Interpolation interpolation) {
     const VortexModel vortex{8, 3, false, 0.01, 0, interpolation};
     Solver solver = vortex.solver();

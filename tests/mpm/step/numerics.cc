@@ -51,7 +51,7 @@ Solver hanging_bar(double damping, Interpolation interpolation = Interpolation::
 
 }  // namespace
 
-TEST_CASE("A blend with PIC keeps the momentum and loses motion, more of it the more PIC") {
+TEST_CASE("A blend with PIC conserves momentum and dissipates more with more PIC") {
   const BodyTotals start = after(0, 0);
   const double scale = start.mass;
   const BodyTotals flip = after(0, 100), little = after(0.05, 100), all = after(1, 100);
@@ -102,7 +102,7 @@ TEST_CASE("A damped bar comes to rest at the exact static stress") {
   CHECK(largest < (shape == Interpolation::linear ? 2e-4 : 3e-3));
 }
 
-TEST_CASE("Damping leaves reactions alone") {
+TEST_CASE("Damping does not change reactions") {
   BarModel bar(22, 0.05);
   Model model{bar.grid, {}, BarModel::faces(F::free, F::free), Vector3d(9.81, 0, 0)};
   auto points = bar.points(0, 1, {3, 2, 2}, 1000);
@@ -117,7 +117,7 @@ TEST_CASE("Damping leaves reactions alone") {
   CHECK(solver.held()[0].reaction.x() == Approx(-weight).epsilon(1e-6));
 }
 
-TEST_CASE("Fractions that make no sense are refused") {
+TEST_CASE("Invalid fractions are refused") {
   CHECK_THROWS_WITH(after(1.1, 0), Catch::Contains("PIC") && Catch::Contains("1.1"));
   CHECK_THROWS_AS(after(-0.1, 0), ModelError);
   CHECK_THROWS_WITH(hanging_bar(1), Catch::Contains("damping"));

@@ -78,7 +78,7 @@ TEST_CASE("Shock tube of 4.4.1 converges to the exact solution", "[long]") {
   CHECK(finest.pressure < fine.pressure);
 }
 
-TEST_CASE("Quadratic functions let the shock tube converge on", "[long]") {
+TEST_CASE("The shock tube converges further with quadratic functions", "[long]") {
   const TubeErrors coarse = shock_tube(100, Interpolation::quadratic);
   const TubeErrors fine = shock_tube(400, Interpolation::quadratic);
   const TubeErrors linear = shock_tube(400);
@@ -169,7 +169,7 @@ TEST_CASE("Impact stress of Figure 5.13, whole tube and absorbing boundary", "[l
   CHECK(mean_impact_stress(F::absorbing, 70) == Approx(exact).epsilon(0.03));
 }
 
-TEST_CASE("The absorbing boundary sends back less than 2 %, a free and a fixed end everything") {
+TEST_CASE("The absorbing boundary reflects less than 2 %, a free or fixed end everything") {
   const auto shape = GENERATE(Interpolation::linear, Interpolation::quadratic);
   CHECK(reflected_fraction(F::absorbing, 0, shape) < 0.02);
   CHECK(reflected_fraction(F::fixed, 0, shape) == Approx(1).epsilon(0.05));

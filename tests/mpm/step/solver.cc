@@ -193,7 +193,7 @@ TEST_CASE("Any number of threads gives the same bits") {
   }
 }
 
-TEST_CASE("A restored solver goes on to the same bits with another number of threads") {
+TEST_CASE("A restored solver continues to the same bits with another number of threads") {
   const auto shape = GENERATE(Interpolation::linear, Interpolation::quadratic);
   const zona::tests::ScratchDirectory scratch;
   const std::string path = scratch / "state.checkpoint";
@@ -247,7 +247,7 @@ TEST_CASE("Momentum is conserved to round-off where nothing holds the bodies, ma
   CHECK(grid_mass == Approx(mass).epsilon(1e-13));
 }
 
-TEST_CASE("What the nodes hold between steps is what the points scatter, to the last bit") {
+TEST_CASE("Between steps the nodes hold what the points scatter, to the last bit") {
   Solver solver(small_egg(FaceCondition::absorbing), 2e-9, 2);
   for (int round = 0; round < 3; ++round) {
     for (int s = 0; s < 150; ++s) solver.step();
@@ -313,7 +313,7 @@ TEST_CASE("Energy in a closed box: motion turns into elastic and internal energy
   CHECK(std::abs(energy(kinetic) / start - 1) < M_PI * c * dt);
 }
 
-TEST_CASE("A step above the critical one is refused with the number that is allowed") {
+TEST_CASE("A step above the critical one is refused with the largest allowed") {
   const Model model = small_egg(FaceCondition::absorbing);
   const CriticalStep critical = critical_step(model.grid, model.bodies);
   CHECK(critical.body == "outside");
@@ -348,7 +348,7 @@ TEST_CASE("The critical step is stable and not far from the largest one") {
   CHECK(totals(solver.bodies()[0]).kinetic_energy < start);
 }
 
-TEST_CASE("A point that leaves the grid and a NaN stop the run with their whereabouts") {
+TEST_CASE("A point that leaves the grid or has a NaN stops the run with its place") {
   Model leaving = small_egg(FaceCondition::free, false, false);
   for (double& v : leaving.bodies[3].points.velocity[0]) v = -100;
   Solver solver(std::move(leaving), 2e-9);

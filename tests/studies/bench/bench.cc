@@ -30,7 +30,7 @@ TEST_CASE("zona bench measures a scene with one and with all threads") {
   }
 }
 
-TEST_CASE("zona bench lists its scenes and explains what it does not know") {
+TEST_CASE("zona bench lists its scenes and reports unknown ones") {
   CHECK_THAT(call("bench --list").text, Contains("piercing_2.5um") && Contains("only by name"));
   CHECK(call("bench piercing_7um").code == 2);
   CHECK_THAT(call("bench piercing_7um").text, Contains("piercing_7um") && Contains("--list"));

@@ -32,7 +32,7 @@ std::string problems_over(const ScratchDirectory& scratch, const std::string& ba
 
 }  // namespace
 
-TEST_CASE("a study says only what differs from its base, --set what differs from both") {
+TEST_CASE("a study overrides its base, --set overrides both") {
   const ScratchDirectory scratch;
   scratch.write("base.toml",
                 "study = \"piercing\"\n[grid]\ncell = \"8 um\"\n[zona]\nlevel = 5\n"
@@ -50,7 +50,7 @@ TEST_CASE("a study says only what differs from its base, --set what differs from
   CHECK(first_difference(study, again).empty());
 }
 
-TEST_CASE("bases follow each other, each with paths from its own directory") {
+TEST_CASE("a base may have a base, each with paths from its own directory") {
   const ScratchDirectory scratch;
   std::filesystem::create_directory(scratch.path() / "lab");
   scratch.write("lab/tip.csv", "time [us], displacement [um]\n0, 0\n100, 1\n200, 0\n");
@@ -91,7 +91,7 @@ TEST_CASE("tables of a list are amended by name, or replaced as a whole") {
              Contains("set twice"));
 }
 
-TEST_CASE("what a base says and the study has no use for is left out") {
+TEST_CASE("keys of a base that do not apply to the study are left out") {
   const ScratchDirectory scratch;
   const std::string changed =
       "base = \"base.toml\"\n[body.right]\nshape = \"box\"\nlow = [\"0.6 m\", \"0.6 m\", \"0.6 "
@@ -122,5 +122,5 @@ TEST_CASE("a base that cannot be used is refused at its line") {
   CHECK_THAT(problems_over(scratch, "grid = [", "base = \"base.toml\""),
              Contains("base.toml:1: this is not TOML"));
   CHECK_THAT(problems_over(scratch, base, base, {"base=\"base.toml\""}),
-             Contains("--set: base: belongs into a study file"));
+             Contains("--set: base: belongs in a study file"));
 }

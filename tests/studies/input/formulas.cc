@@ -43,7 +43,7 @@ TEST_CASE("a quantity with a unit, zero, and a formula without variables are con
   CHECK(Formula("5 \u00b5m/s", speed({"t"})).constant() == 5e-6);
 }
 
-TEST_CASE("what is no formula is refused with the place of the mistake") {
+TEST_CASE("invalid formulas are refused with the place of the error") {
   const auto refused = [](const std::string& text) {
     try {
       Formula(text, speed({"x", "y", "z"}));

@@ -163,7 +163,7 @@ width = "4.5 m"
                     "16: door.0.width: 4 m are wide for a door"));
 }
 
-TEST_CASE("lists and tables that are mixed up are told apart") {
+TEST_CASE("a table in place of a list, or a list in place of a table, is reported") {
   CHECK_THAT(problems(""), Contains("room: is missing; needs at least 1; write [[room]]"));
   CHECK_THAT(problems("[room]\nname = \"a\"\nwidth = \"1 m\"\n" + two_rooms.substr(0, 0)),
              Contains("2: room") || Contains("3: room"));

@@ -47,7 +47,7 @@ TEST_CASE("values must be in range") {
   CHECK_THAT(piercing("run.threads = -1"), Contains("at least 0"));
 }
 
-TEST_CASE("choices and names suggest the nearest") {
+TEST_CASE("misspelt choices and names suggest the nearest") {
   CHECK_THAT(piercing("motion.kind = \"trase\""),
              Contains("one of sine, triangle, beam or trace; did you mean \"trace\"?"));
   CHECK_THAT(piercing("fill.fluid = \"watr\""), Contains("did you mean \"water\"?"));
@@ -132,7 +132,7 @@ TEST_CASE("the study kind must be known") {
   CHECK_THAT(problems_of("study = 3"), Contains("3 is not a study kind"));
 }
 
-TEST_CASE("letters outside ASCII do not stand where a key may begin") {
+TEST_CASE("a key does not begin with a letter outside ASCII") {
   // toml++ 3.3 has no answer of its own to these; from each of the 64 blocks that it tells apart.
   for (unsigned letter = 0xA1; letter < 0x10000; letter += 0x1FD) {
     if (letter >= 0xD800 && letter < 0xE000) continue;

@@ -8,7 +8,7 @@
 
 using zona::studies::run_isolated;
 
-TEST_CASE("isolated work that ends returns nothing and leaves this process as it was") {
+TEST_CASE("isolated work leaves this process unchanged") {
   int count = 0;
   CHECK(run_isolated([&] { ++count; }).empty());
   CHECK(run_isolated([] { throw std::runtime_error("refused"); }).empty());

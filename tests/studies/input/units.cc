@@ -21,7 +21,7 @@ TEST_CASE("quantities are converted to SI") {
   CHECK(parse_quantity("1 deg", "rad") == Approx(0.017453292519943295).epsilon(1e-14));
 }
 
-TEST_CASE("what is not a quantity says so") {
+TEST_CASE("texts that are not quantities are refused with the reason") {
   const auto message = [](const std::string& text, const std::string& unit) -> std::string {
     try {
       parse_quantity(text, unit);

@@ -113,7 +113,7 @@ TEST_CASE("a section that does not cut the grid is refused before anything is wr
   CHECK(check("study = \"scene\"\n" + stretched_water + section + "\"1.9 m\"\n").code == 2);
 }
 
-TEST_CASE("what cannot be measured in a piercing is refused") {
+TEST_CASE("invalid measures of a piercing are refused") {
   const auto refused = [](const std::string& rest) {
     return problems_of("study = \"piercing\"\n" + rest);
   };

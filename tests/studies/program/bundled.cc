@@ -28,7 +28,7 @@ TEST_CASE("the bundled study files are valid") {
   CHECK(comparison.quantities("fill.fluids") == std::vector<double>{13600, 1000, 1780, 0});
 }
 
-TEST_CASE("every study file that is shipped is valid and says what it is for") {
+TEST_CASE("every bundled study file is valid and states its purpose") {
   for (const auto& study : bundled_studies()) {
     INFO(study.file.string());
     CHECK_NOTHROW(load_configuration(study.file));

@@ -44,7 +44,7 @@ TEST_CASE("the studies printed in the README, the guide and the tutorials are va
   CHECK(count >= 6);
 }
 
-TEST_CASE("every study file that is shipped for verification can be prepared") {
+TEST_CASE("every study file of the verification can be prepared") {
   const std::filesystem::path directory(ZONA_SOURCE_DIR "/studies/verification");
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {

@@ -13,7 +13,7 @@ const std::string vibration = ZONA_SOURCE_DIR "/studies/vibration.toml";
 
 }  // namespace
 
-TEST_CASE("the program tells its version and its help") {
+TEST_CASE("the program prints its version and its help") {
   CHECK(call("--version").code == 0);
   CHECK_THAT(call("--version").text,
              Contains("zona 0.") && Contains("(commit ") && Contains(" on "));

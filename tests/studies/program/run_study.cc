@@ -135,7 +135,7 @@ TEST_CASE("a failed run keeps what it computed") {
   CHECK(summary_in(out)["results"]["last_step"] == 7);
 }
 
-TEST_CASE("an interrupted run ends with what it has") {
+TEST_CASE("an interrupted run keeps its results") {
   const ScratchDirectory scratch;
   const auto interrupted = [](const Configuration&, Session& session) {
     CHECK_FALSE(Interrupt::requested());
@@ -213,7 +213,7 @@ TEST_CASE("parts that run side by side are one line") {
              Contains("35 %  45 s left  0.25 M point-steps/s  none failed; 2 failed"));
 }
 
-TEST_CASE("what was done before a run went on counts, but not for its speed") {
+TEST_CASE("work before a resume counts as progress, but not for the speed") {
   std::ostringstream stream;
   double now = 0;
   Progress progress(Progress::Mode::lines, stream, [&] { return now; });
@@ -224,7 +224,7 @@ TEST_CASE("what was done before a run went on counts, but not for its speed") {
   CHECK_THAT(stream.str(), Contains("60 %  80 s left  0.5 M point-steps/s"));
 }
 
-TEST_CASE("the second of two that hold signals loses none, and the first gives them back") {
+TEST_CASE("of two that hold signals the second loses none and the first restores them") {
   struct sigaction before, after;
   sigaction(SIGINT, nullptr, &before);
   {

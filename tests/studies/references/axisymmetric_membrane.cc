@@ -161,7 +161,7 @@ TEST_CASE("inflated disc: Hencky's for small loads, stiffer law of large ones") 
   CHECK(carried == Approx(1000 * pi * 0.01).epsilon(0.01));  // an element
 }
 
-TEST_CASE("axisymmetric membrane: more than it can carry is refused") {
+TEST_CASE("axisymmetric membrane: excessive loads are refused") {
   CHECK_THROWS_AS(inflate_disc(law, 0.1, 1e6, 50), ModelError);
   CHECK_THROWS_AS(inflate_disc(law, 0.1, 100, 2), ModelError);
 }

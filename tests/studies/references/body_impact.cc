@@ -86,7 +86,7 @@ TEST_CASE("the window at a point ends with the first release") {
   }
 }
 
-TEST_CASE("impact: what lies outside is refused") {
+TEST_CASE("impact: points and times outside are refused") {
   const auto impact = impact_of_the_source();
   CHECK_THROWS_AS(impact_state(impact, ImpactSide::target, 0.11, 1e-6), ModelError);
   CHECK_THROWS_AS(impact_state(impact, ImpactSide::target, 0.01, 3.3e-5), ModelError);

@@ -74,7 +74,7 @@ TEST_CASE("stress wave in a bar: profiles at 0.25, 0.5 and 0.75 L/c") {
   CHECK(mid_section_opening(bar, 0.75 * t) == Approx(0.25 * 200e6 / 72e9 * 10));
 }
 
-TEST_CASE("stress wave in a bar: at rest for good after 1.5 L/c") {
+TEST_CASE("stress wave in a bar: at rest from 1.5 L/c on") {
   const auto bar = bar_of_the_source();
   for (double periods : {1.501, 1.9, 7.3}) {
     for (double x : {0.0, 1.3, 4.99, 5.01, 9.7}) {
@@ -130,7 +130,7 @@ TEST_CASE("finite elements converge to the exact bar") {
   }
 }
 
-TEST_CASE("elastic limit of the bar: the stress doubles and the bar swings for ever") {
+TEST_CASE("elastic limit of the bar: the stress doubles and the bar vibrates without loss") {
   SteppedBar bar = bar_of_the_source();
   bar.yield_stress = 500e6;
   const double t = bar.transit_time();
@@ -161,7 +161,7 @@ TEST_CASE("bar with held sides: same equivalent stress, plastic front at c/sqrt(
   CHECK_THROWS_AS(held_bar_state(bar, 5, 1.1 * t), ModelError);
 }
 
-TEST_CASE("bar: what makes no sense is refused") {
+TEST_CASE("bar: invalid input is refused") {
   SteppedBar bar = bar_of_the_source();
   CHECK_THROWS_AS(free_bar_state(bar, -1, 0), ModelError);
   CHECK_THROWS_AS(free_bar_state(bar, 1, -1), ModelError);

@@ -192,7 +192,7 @@ TEST_CASE("gas box: adiabatic, energy, convergence, symmetry of the mesh") {
   CHECK(fine.displacement(0.01) == Approx(1.01e-3).epsilon(0.01));
 }
 
-TEST_CASE("gas box: what the assumptions change") {
+TEST_CASE("gas box: effect of the assumptions") {
   const auto end = [](auto change) {
     GasBox box = box_of_the_source();
     change(box);
@@ -217,7 +217,7 @@ TEST_CASE("the inertia of the gas adds a third of its mass") {
   CHECK(gas_inertia(1.2, 0.1, 10) == Approx(0.004).epsilon(0.01));
 }
 
-TEST_CASE("gas box: what makes no sense is refused") {
+TEST_CASE("gas box: invalid input is refused") {
   GasBox box = box_of_the_source();
   CHECK_THROWS_AS(gas_box(box, {12, 0.03, 5e-4, 0.4}), ModelError);  // 0.2 of 12 squares
   CHECK_THROWS_AS(gas_box(box, {20, 0.03, 5e-4, 0.8}), ModelError);

@@ -130,7 +130,7 @@ TEST_CASE("egg: support, pipette, measures") {
   CHECK(with([](IndentedEgg& e) { e.summed = true; }) == Approx(0.79).margin(0.01));
 }
 
-TEST_CASE("egg: what makes no sense is refused") {
+TEST_CASE("egg: invalid input is refused") {
   IndentedEgg egg = egg_of_the_source();
   CHECK_THROWS_AS(indent_egg(egg, {}), ModelError);
   CHECK_THROWS_AS(indent_egg(egg, {2e-7, 1e-7}), ModelError);

@@ -110,7 +110,7 @@ TEST_CASE("cuboid on the net: momentum, energy, convergence") {
         Approx(0.5 * (fine.displacement(0.1) + fine.displacement(0.101))));
 }
 
-TEST_CASE("cuboid on the net: what the assumptions change") {
+TEST_CASE("cuboid on the net: effect of the assumptions") {
   const auto deepest = [](auto change) {
     StringImpact s = net_of_the_source();
     change(s);
@@ -127,7 +127,7 @@ TEST_CASE("cuboid on the net: what the assumptions change") {
   CHECK(point < sliding);
 }
 
-TEST_CASE("string: what makes no sense is refused") {
+TEST_CASE("string: invalid input is refused") {
   auto s = net_of_the_source();
   s.contact_length = 1;
   CHECK_THROWS_AS(string_impact(s), ModelError);

@@ -116,7 +116,7 @@ TEST_CASE("every kind of study has a report") {
   }
 }
 
-TEST_CASE("a report of what is no run is refused with the reason") {
+TEST_CASE("a report on a directory that is not a run is refused with the reason") {
   const ScratchDirectory scratch;
   const auto nothing = call("report " + scratch.path().string());
   CHECK(nothing.code == 2);

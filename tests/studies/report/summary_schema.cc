@@ -1,5 +1,4 @@
-#include "tests/studies/call.h"
-#include "tests/studies/study_files.h"
+#include "tests/studies/kinds/search/search_files.h"
 
 using namespace zona::studies::testing;
 using Catch::Contains;
@@ -71,35 +70,12 @@ TEST_CASE("summary.json of every kind of study follows its published schema") {
                   0, "complete");
   }
   SECTION("search") {
-    const ScratchDirectory scratch;
-    scratch.write("reference.toml",
-                  "base = \"" + studies +
-                      "piercing_beam_quick.toml\"\n[grid]\ncell = \"12 um\"\ndomain = \"168 "
-                      "um\"\n[zona]\nlevel = 4\nelastic_limit = 0.002\n[cytoplasm]\n"
-                      "points_per_cell = 1\n[motion]\nwindow_length = \"1 us\"\n");
-    const auto file = scratch.write("s.toml", R"(
-study = "search"
-[search]
-study = "reference.toml"
-samples = 4
-evaluations = 2
-candidates = 2
-refinements = 1
-uncertainty_samples = 2
-[[variable]]
-key = "fill.fluid"
-values = ["water", "none"]
-[[variable]]
-key = "pulse.peak"
-range = ["3 um", "20 um"]
-[[uncertain]]
-key = "zona.youngs_modulus"
-range = ["3 kPa", "23 kPa"]
-[[uncertain]]
-key = "cytoplasm.points_per_cell"
-values = [1, 8]
-)");
-    check_summary(file.string(), 0, "complete");
+    const SearchFiles files(
+        search_study + "[[uncertain]]\nkey = \"cytoplasm.points_per_cell\"\nvalues = [1, 8]\n");
+    check_summary(files.file() +
+                      " --set search.samples=4 --set search.evaluations=2"
+                      " --set search.candidates=2 --set search.refinements=1",
+                  0, "complete");
   }
   SECTION("scene") {
     check_summary(studies + "verification/hanging_bar.toml --set 'time.end=\"1 ms\"'", 0,
@@ -113,13 +89,13 @@ values = [1, 8]
     check_summary(studies + "point_zona.toml", 0, "complete");
     check_summary(studies + "point_uniaxial.toml", 0, "complete");
   }
-  SECTION("what failed, and says why") {
+  SECTION("a failed run and its reason") {
     check_summary(piercing + " --set 'motion.amplitude=\"900 um\"' --set 'time.end=\"40 us\"'", 3,
                   "failed");
   }
 }
 
-TEST_CASE("the schema refuses keys that it does not document") {
+TEST_CASE("the schema refuses undocumented keys") {
   if (!has_validator()) return;
   const ScratchDirectory scratch;
   const auto out = scratch.path() / "out";

@@ -8,7 +8,7 @@ using namespace zona;
 using namespace zona::studies::testing;
 using Catch::Contains;
 
-TEST_CASE("the log has levels, and holds what was asked for") {
+TEST_CASE("the log holds the levels that were asked for") {
   const ScratchDirectory scratch;
   const auto log_with = [&](const std::string& level, const std::string& more = "") {
     const auto out = scratch.path() / (level + std::to_string(more.size()));
@@ -26,7 +26,7 @@ TEST_CASE("the log has levels, and holds what was asked for") {
              Contains("  error    failed after") && Contains("left the grid") && !Contains("info"));
 }
 
-TEST_CASE("a checkpoint of another kind of processor is taken with a warning") {
+TEST_CASE("a checkpoint of another kind of processor is used with a warning") {
   const ScratchDirectory scratch;
   for (const std::string& processor : {std::string("none"), std::string(mpm::instruction_set())}) {
     mpm::write_checkpoint(

@@ -104,7 +104,7 @@ TEST_CASE("edit distance") {
   CHECK(nearest_name("qqq", {"grid.cell"}).empty());
 }
 
-TEST_CASE("declarations that contradict themselves are refused") {
+TEST_CASE("contradictory declarations are refused") {
   Schema schema("drop", "A drop falls.");
   schema.section("drop", "The drop.");
   CHECK_THROWS_AS(schema.quantity("drop.size", "m", "2 mm").in("(1, 0)"), std::logic_error);

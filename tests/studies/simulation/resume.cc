@@ -159,7 +159,7 @@ nlohmann::json results_of(const fs::path& directory) {
 
 }  // namespace
 
-TEST_CASE("a run that is killed again and again comes to the same bits") {
+TEST_CASE("a run that is killed repeatedly gives the same bits") {
   const ScratchDirectory scratch;
   std::string study = piercing;
   int kills = 3;
@@ -192,7 +192,7 @@ TEST_CASE("a run that is killed again and again comes to the same bits") {
   CHECK(results_of(whole) == results_of(cut));
 }
 
-TEST_CASE("a run that is asked to stop stores its state and goes on to the same bits") {
+TEST_CASE("an interrupted run stores its state and continues to the same bits") {
   const ScratchDirectory scratch;
   const auto whole = scratch.path() / "whole", cut = scratch.path() / "cut";
   REQUIRE(call("run " + piercing + " --quiet --out " + whole.string()).code == 0);
@@ -209,7 +209,7 @@ TEST_CASE("a run that is asked to stop stores its state and goes on to the same 
   CHECK_THAT(again.text, Contains("is complete"));
 }
 
-TEST_CASE("the status of a run is told from outside") {
+TEST_CASE("zona status reports a run from outside") {
   const ScratchDirectory scratch;
   const auto cut = scratch.path() / "cut";
   const auto status = [&] { return call("status " + cut.string()); };
@@ -228,7 +228,7 @@ TEST_CASE("the status of a run is told from outside") {
   CHECK(status().text == "complete\n");
 }
 
-TEST_CASE("what cannot be resumed is refused with the reason, and nothing is lost") {
+TEST_CASE("runs that cannot be resumed are refused with the reason and lose nothing") {
   const ScratchDirectory scratch;
   const auto cut = scratch.path() / "cut";
   const std::string piercing = piercing_until("12 us");

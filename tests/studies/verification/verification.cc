@@ -45,7 +45,7 @@ TEST_CASE("tables of a run are read by the names of their columns") {
   CHECK(std::isinf(table["failed_points"][1]));
 }
 
-TEST_CASE("every verification case asks for valid runs, each once") {
+TEST_CASE("every verification case needs valid runs, each once") {
   std::vector<const Case*> all;
   std::set<std::string> names;
   for (const Case& c : cases()) {
@@ -101,7 +101,7 @@ TEST_CASE("zona verify finds the same with any number of threads") {
   CHECK(found(3) == one);
 }
 
-TEST_CASE("Ctrl-C stops zona verify, and the same command goes on") {
+TEST_CASE("Ctrl-C stops zona verify, and the same command continues") {
   const ScratchDirectory scratch;
   const std::string out = scratch / "out";
   const std::string command = "verify vortex --quick --quiet --threads 2 --out " + out;
@@ -110,11 +110,11 @@ TEST_CASE("Ctrl-C stops zona verify, and the same command goes on") {
                   "/vortex/*/study.toml > /dev/null 2>&1 && break; sleep 0.05; "
                   "done; kill -INT $p; wait $p)");
   CHECK(stopped.code == 130);
-  CHECK_THAT(stopped.text, Contains("the same command goes on from here"));
+  CHECK_THAT(stopped.text, Contains("the same command continues from here"));
   CHECK(call(command).code == 0);
 }
 
-TEST_CASE("zona verify explains what it does not know, and lists what it knows") {
+TEST_CASE("zona verify lists its cases and reports unknown ones") {
   CHECK(call("verify pipete_amplitude").code == 2);
   CHECK_THAT(call("verify pipete_amplitude").text, Contains("did you mean pipette_amplitude?"));
   const ScratchDirectory scratch;

@@ -81,7 +81,7 @@ TEST_CASE("material_point: the zona fails at once in a cell of 6 um, and at 0.06
   CHECK(damage["yield"]["strain"][0].get<double>() == Approx(0.05937).epsilon(1e-3));
 }
 
-TEST_CASE("material_point: the history holds the components that there are") {
+TEST_CASE("material_point: the history holds the components of the geometry") {
   const ScratchDirectory scratch;
   const auto first_line = [&](const std::string& name, const std::string& text) {
     const fs::path out = scratch.path() / name;
@@ -104,7 +104,7 @@ TEST_CASE("material_point: the history holds the components that there are") {
   CHECK_THAT(membrane, Contains("stress_xy [Pa]") && !Contains("zx"));
 }
 
-TEST_CASE("material_point: total and incremental stress are one path") {
+TEST_CASE("material_point: total and incremental stress agree along a path") {
   const ScratchDirectory scratch;
   const auto history = [&](const std::string& update) {
     const auto file = scratch.write(
@@ -121,7 +121,7 @@ TEST_CASE("material_point: total and incremental stress are one path") {
   }
 }
 
-TEST_CASE("material_point: what can be wrong is said") {
+TEST_CASE("material_point: invalid input is reported") {
   CHECK(problems("").empty());
   CHECK_THAT(problems("material.law = \"von_mise\""), Contains("did you mean \"von_mises\"?"));
   CHECK_THAT(problems("material.geometry = \"shell\""), Contains("one of solid or membrane"));

@@ -22,7 +22,7 @@ studies::FailurePattern pattern_of(Failed failed) {
 
 }  // namespace
 
-TEST_CASE("a failure pattern tells bands, corners and rings apart") {
+TEST_CASE("a failure pattern distinguishes bands, corners and rings") {
   const auto none = pattern_of([](double, double) { return false; });
   CHECK(none.y_high == 0);
   CHECK(none.mean_distance == 0);

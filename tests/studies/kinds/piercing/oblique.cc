@@ -122,7 +122,7 @@ TEST_CASE("an angle that a vibration study cannot take is refused") {
     CHECK_THAT(answer.text, Contains(message));
   };
   const std::string oblique = " --set 'pulse.angle=\"45 deg\"'";
-  refused(oblique + " --set 'pipette.supports=\"pinned\"'", "moved across itself");
+  refused(oblique + " --set 'pipette.supports=\"pinned\"'", "moved across its axis");
   refused(" --set 'pulse.angle=\"-1 deg\"'", "pulse.angle");
   refused(" --set 'fill.viscosity=\"0 Pa s\"'", "fill.viscosity");
 }

@@ -157,7 +157,7 @@ TEST_CASE("a measured trace drives the pipette") {
   CHECK(at.displacement.x() == 0);
 }
 
-TEST_CASE("what only the model can see is refused before anything is written") {
+TEST_CASE("errors that only the model detects are reported before anything is written") {
   const ScratchDirectory scratch;
   const auto file = scratch.write("s.toml", small).string();
   const fs::path out = scratch.path() / "out";
@@ -183,7 +183,7 @@ TEST_CASE("what only the model can see is refused before anything is written") {
   refused(" --set 'motion.duration=\"0 us\"'", "motion.duration");
 }
 
-TEST_CASE("a trace that makes HDF5 crash is refused as any other") {
+TEST_CASE("a trace that makes HDF5 crash is refused") {
   const ScratchDirectory scratch;
   const auto file = scratch.write("s.toml", small).string();
   scratch.write("bad.h5", crashing_hdf5());
@@ -194,7 +194,7 @@ TEST_CASE("a trace that makes HDF5 crash is refused as any other") {
   CHECK_THAT(answer.text, Contains("motion.trace") && Contains("bad.h5"));
 }
 
-TEST_CASE("a point that leaves the grid ends the run with exit code 3 and what there was") {
+TEST_CASE("a point that leaves the grid ends the run with exit code 3 and keeps the results") {
   const ScratchDirectory scratch;
   const fs::path out = scratch.path() / "out";
   const auto answer =

@@ -41,7 +41,7 @@ pressure = "0.5 Pa"
   CHECK(pressure.history.at("momentum_x").back() == Approx(0.5 * area * 0.02).epsilon(1e-4));
 }
 
-TEST_CASE("held nodes carry a weight, and their work is what they do") {
+TEST_CASE("held nodes carry a weight and report their work") {
   const std::string gravity =
       "[gravity]\nacceleration = [\"0 m/s^2\", \"0 m/s^2\", \"-9.81 m/s^2\"]\n";
   const Run still(cube_scene(gravity + "[[hold]]\nname = \"all\"\n"));
@@ -61,7 +61,7 @@ TEST_CASE("held nodes carry a weight, and their work is what they do") {
   CHECK(sliding.history.at("hold.0.force_z").back() == Approx(8 * 9.81));
 }
 
-TEST_CASE("a rigid body moves as its formula says, its velocity is the slope") {
+TEST_CASE("a rigid body follows its formula, with the slope as its velocity") {
   const auto scene = scene_case(cube_scene(R"toml([[body]]
 name = "plate"
 high = ["0.1 m", "grid", "grid"]

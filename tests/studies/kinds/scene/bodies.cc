@@ -53,7 +53,7 @@ times = ["0 s"]
   }
 }
 
-TEST_CASE("probes name their point, profiles tell points that began in a slice from those in it") {
+TEST_CASE("probes name their point; profiles follow points that start in a slice or are in it") {
   const Run run(cube_scene(R"toml([[probe]]
 name = "corner"
 body = "cube"
@@ -116,7 +116,7 @@ membership = "current"
   }
 }
 
-TEST_CASE("shapes have their volumes, and what is outside fills the rest") {
+TEST_CASE("shapes have their volumes; a body outside of them fills the rest") {
   const auto scene = scene_case(R"toml([grid]
 high = ["1 m", "1 m", "1 m"]
 cell = "50 mm"

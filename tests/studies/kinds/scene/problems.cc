@@ -69,7 +69,7 @@ TEST_CASE("a grid is a whole number of cells") {
   CHECK(with("grid.cell=[\"0.1 m\", \"0.05 m\", \"0.2 m\"]").empty());
 }
 
-TEST_CASE("shapes and materials must go together") {
+TEST_CASE("shapes and materials must be compatible") {
   CHECK_THAT(with("body.cube.shape=\"sphere\""),
              Contains("9: body.cube.low: applies only where shape = \"box\"; remove it") &&
                  Contains("body.cube.center: is missing"));
@@ -112,7 +112,7 @@ TEST_CASE("bodies hold points, all of them in the grid") {
              Contains("a full grid would have 1e+12 points; at most 2e9"));
 }
 
-TEST_CASE("formulas are tried out before a run") {
+TEST_CASE("formulas are evaluated before a run") {
   CHECK_THAT(
       with("body.cube.velocity=[\"sqrt(x - 0.3)\", \"0\", \"0\"]"),
       Contains("body.cube.velocity: \"sqrt(x - 0.3)\" is") && Contains("nan m/s at x = 0.2"));
@@ -135,7 +135,7 @@ TEST_CASE("formulas are tried out before a run") {
   CHECK(problems(frame + cube + gas + "pressure = \"1000 + x\"\n").empty());
 }
 
-TEST_CASE("holds and loads must meet something") {
+TEST_CASE("holds and loads must contain nodes or points") {
   const std::string hold =
       "[[hold]]\nlow = [\"0.11 m\", \"grid\", \"grid\"]\nhigh = [\"0.12 m\", "
       "\"grid\", \"grid\"]\n";
@@ -153,7 +153,7 @@ TEST_CASE("holds and loads must meet something") {
   CHECK_THAT(problems(frame + cube + pressure), Contains("cube is no membrane"));
 }
 
-TEST_CASE("probes and profiles must have what they ask for") {
+TEST_CASE("quantities of probes and times of profiles are checked") {
   const std::string probe = "[[probe]]\nname = \"p\"\nbody = \"cube\"\nkind = \"mean\"\n";
   CHECK(problems(frame + cube + probe).empty());
   CHECK_THAT(problems(frame + cube + probe + "quantities = [\"strain\"]\n"),

@@ -8,7 +8,7 @@ using namespace zona::studies::testing;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
-TEST_CASE("a scene falls as it should and keeps its energy") {
+TEST_CASE("a scene falls freely and keeps its energy") {
   const Run run(
       cube_scene("[gravity]\nacceleration = [\"9.81 m/s^2\", \"0 m/s^2\", \"0 m/s^2\"]\n"
                  "[[probe]]\nname = \"mean\"\nkind = \"mean\"\nbody = \"cube\"\n"
@@ -132,7 +132,7 @@ name = "x"
   CHECK(files[0] == files[2]);
 }
 
-TEST_CASE("a point that leaves the grid ends a scene with what was computed") {
+TEST_CASE("a point that leaves the grid ends a scene and keeps the results") {
   const Run run(cube_scene("velocity = [\"100 m/s\", \"0\", \"0\"]\n"), "--set time.courant=0.5");
   CHECK(run.answer.code == 3);
   CHECK_THAT(run.answer.text, Contains("a point left the grid") && Contains("cube"));

@@ -89,7 +89,7 @@ TEST_CASE("a profile of diameters is read from a table with units") {
                     Contains("profile.csv:1:34: \"1 kg\" is not a length"));
 }
 
-TEST_CASE("what contradicts itself in a taper, a fill, a bath or a pulse is told") {
+TEST_CASE("contradictions in taper, fill, bath and pulse are reported") {
   CHECK(trouble_of(kVibration).empty());
   CHECK_THAT(trouble_of(kVibration + "start = \"5 mm\"\nend = \"4 mm\"\n"),
              Contains("fill.end: the fluid begins 5 mm from the tip and ends at 4 mm"));
@@ -157,7 +157,7 @@ end = "1 ms"
   CHECK(result["peak_displacement_range"][1] == Approx(1.2 * peak));
 }
 
-TEST_CASE("a support can move as it was measured") {
+TEST_CASE("a support can follow a measured trace") {
   const ScratchDirectory scratch;
   scratch.write("support.csv", "time [us], displacement [um]\n0, 0\n20, 4\n50, 1\n80, 0\n");
   const auto file =
@@ -171,7 +171,7 @@ TEST_CASE("a support can move as it was measured") {
   CHECK_THAT(run.text, Contains("trace"));
 }
 
-TEST_CASE("a run in a bath tells where its load does not hold") {
+TEST_CASE("a run in a bath warns where its load is not valid") {
   const ScratchDirectory scratch;
   const auto file = scratch.write("s.toml", kVibration + R"([pulse]
 durations = ["60 us"]

@@ -108,7 +108,7 @@ bool has(const SensitivityResult& result, const std::string& key) {
 
 }  // namespace
 
-TEST_CASE("sensitivities are those of differences, for every input") {
+TEST_CASE("sensitivities agree with differences for every input") {
   const SensitivityResult base = of({});
   CHECK(base.inputs.size() >= 15);
   CHECK(base.without.empty());
