@@ -237,7 +237,8 @@ Evaluation evaluate_bending(const CaseResults& results, Extent) {
       {reported("moment over tension and height", section.moment / section.force,
                 "1/6 wrinkles, 1/2 collapses", "of the mid-section"),
        near("moment at this curvature [N m]", section.moment, moment, 0.125,
-            "an edge layer of one cell, 1/20 of the height, carries a quarter of the moment; the grid "
+            "an edge layer of one cell, 1/20 of the height, carries a quarter of the moment; the "
+            "grid "
             "does not resolve where the edge lies"),
        within("height of the wrinkled band [m]", section.band, exact.band, 0.05, "slices of 0.05"),
        reported("largest stress of a slice [Pa]", section.peak,
