@@ -31,17 +31,17 @@ class TableError : public std::runtime_error {
 /// `value * multiplier / divisor` converts to SI. Powers of ten that are exact in floating point
 /// round only once (17.9 / 1e6, not 17.9 * 1e-6).
 struct UnitScale {
-  double multiplier = 1;
-  double divisor = 1;
+  double multiplier = 1;  ///< [-]
+  double divisor = 1;     ///< [-]
 };
 
 /// A column that a caller wants; its heading reads "name [unit]".
 struct CsvColumn {
-  std::string name;
-  std::string si_unit;
+  std::string name;     ///< of the heading, without the unit
+  std::string si_unit;  ///< of the values that are read
   /// Scale of the unit in the heading. Throws `std::runtime_error` that says why if there is none.
   std::function<UnitScale(const std::string& unit)> scale_of;
-  bool is_required = true;
+  bool is_required = true;  ///< false: the file may lack it
 };
 
 /// Named columns of numbers from a CSV file:
@@ -63,10 +63,10 @@ class CsvTable {
   static CsvTable parse(std::string text, const std::string& name,
                         const std::vector<CsvColumn>& wanted = {});
 
-  std::size_t rows() const { return cells_.size(); }
+  std::size_t rows() const { return cells_.size(); }  ///< of values
   /// Names of the columns, without units, in the order of the file.
   const std::vector<std::string>& names() const { return names_; }
-  bool has(const std::string& name) const;
+  bool has(const std::string& name) const;  ///< true for a column with this name
   /// A column by its name without unit. Throws `TableError` with the names there are.
   const std::vector<double>& operator[](const std::string& name) const;
   /// The rows whose cell in a column is this text. Throws `TableError` if there are none.
