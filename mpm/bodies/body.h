@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
+#include "mpm/bodies/fluid_cells.h"
 #include "mpm/grid/cell_index.h"
 #include "mpm/materials/elastodamage_solid.h"
 #include "mpm/materials/fluid.h"
@@ -32,6 +34,8 @@ struct Body {
   /// constrains the volume once, not once per point: a nearly incompressible body does not lock,
   /// and its points have no pressure modes that the grid cannot represent.
   bool average_volume_strain = false;
+  /// Present for fluids whose pressure is implicit (Numerics); the solver makes it.
+  std::optional<FluidCells> fluid_cells{};
 
   /// @{
   /// The material if it is of this type, else null.

@@ -9,15 +9,11 @@
 
 namespace zona::mpm {
 
-namespace {
-
 Eigen::Vector3d velocity_of(const HeldNodes& held, double time, const BackgroundGrid& grid,
                             int node) {
   if (!held.velocity) return Eigen::Vector3d::Zero();
   return held.velocity(time, grid.node_position(node));
 }
-
-}  // namespace
 
 bool holds(FaceCondition condition, int normal_axis, int axis) {
   return condition == FaceCondition::fixed ||
@@ -88,7 +84,7 @@ void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, con
   }
 }
 
-void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces) {
+void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces, bool only_tangential) {
   for (int face = 0; face < 6; ++face) {
     if (faces[face] != FaceCondition::absorbing) continue;
     const int normal = face / 2;
@@ -98,6 +94,7 @@ void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces) {
       Lanes& state = grid.state[node];
       if (!(state[0] > smallest_nodal_mass)) return;
       for (int axis = 0; axis < 3; ++axis) {
+        if (only_tangential && axis == normal) continue;
         const double mass_speed = axis == normal ? state[7] : grid.updated[node][3];
         state[4 + axis] -= per_length * mass_speed * state[1 + axis] / state[0];
       }

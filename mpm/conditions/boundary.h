@@ -57,6 +57,9 @@ struct HeldNodes {
   double power = 0;                                    ///< of that force [W]
 };
 
+/// Velocity of a held node [m/s] at `time` [s].
+Eigen::Vector3d velocity_of(const HeldNodes& held, double time, const BackgroundGrid& grid,
+                            int node);
 /// Nodes in the box, in ascending order. Throws ModelError if there are none.
 std::vector<int> nodes_in(const BackgroundGrid& grid, const Box& region);
 /// Sets velocity and acceleration of held nodes in the step from `time` to `time` + dt [s], after
@@ -75,8 +78,9 @@ void hold_updated_nodes(BackgroundGrid& grid, const std::vector<int>& nodes, con
 /// traction one cell inside, takes the velocity half a cell away, and reflects a fraction of order
 /// k h. On the face itself rho dS is 2 m_i / h for the lumped mass m_i (3 m_i / h for quadratic
 /// functions, whose outermost one has a third of its cell's mass), and the reflection is of order
-/// (k h)^2.
-void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces);
+/// (k h)^2. Where the pressure is implicit the normal tractions are, too: `only_tangential`.
+void absorb_at_faces(BackgroundGrid& grid, const FaceConditions& faces,
+                     bool only_tangential = false);
 
 /// Nodes of all cells that contain points of a body, in ascending order.
 std::vector<int> touched_nodes(const BackgroundGrid& grid, const CellIndex& cells);

@@ -47,6 +47,12 @@ struct Fluid {
     return properties.state.sound_speed(properties.pressure, properties.density);
   }
   double shear_wave_speed() const { return 0; }  ///< fluids have no shear waves [m/s]
+  /// Speed of sound [m/s] at a density [kg/m^3] and a specific internal energy [J/kg].
+  Lanes sound_speed(const Lanes& rho, const Lanes& energy) const {
+    const double big_gamma = properties.state.grueneisen;
+    return square_root(larger(
+        (big_gamma + 1) * big_gamma * (energy - properties.state.p_infinity / rho), Lanes{}));
+  }
   /// Current volume [m^3] of a group of this mass [kg].
   Lanes volume(const PointGroup& group, const Lanes& mass) const {
     return mass / group.load(density);
@@ -80,9 +86,7 @@ inline LaneMask Fluid::update(const PointGroup& group, const VelocityGradient& g
   Lanes q{};
   const auto& artificial = properties.artificial_viscosity;
   if (artificial.quadratic > 0 || artificial.linear > 0) {
-    const Lanes sound = square_root(larger(
-        (big_gamma + 1) * big_gamma * (old_energy - properties.state.p_infinity / old_density),
-        Lanes{}));
+    const Lanes sound = sound_speed(old_density, old_energy);
     q = select(divergence < 0.0,
                new_density * length *
                    (artificial.quadratic * length * divergence * divergence -

@@ -12,8 +12,14 @@ class ModelError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// A step that cannot be completed.
+class StepError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A material point that left the grid or has an invalid state, found during a step.
-class PointError : public std::runtime_error {
+class PointError : public StepError {
  public:
   /// Composes the text from the event, the body, the point's id, its position [m], the step and the
   /// time [s].

@@ -7,7 +7,8 @@
 
 namespace zona::mpm {
 
-CriticalStep critical_step(const BackgroundGrid& grid, const std::vector<Body>& bodies) {
+CriticalStep critical_step(const BackgroundGrid& grid, const std::vector<Body>& bodies,
+                           bool implicit_pressure) {
   CriticalStep critical{std::numeric_limits<double>::infinity(), "", "nothing limits the step"};
   const bool quadratic = grid.interpolation() == Interpolation::quadratic;
   const double h = grid.cell_size().minCoeff() * (quadratic ? std::sqrt(2.0 / 3) : 1);
@@ -16,7 +17,9 @@ CriticalStep critical_step(const BackgroundGrid& grid, const std::vector<Body>& 
     if (seconds < critical.seconds) critical = {seconds, body.name, reason};
   };
   for (const auto& body : bodies) {
-    const double c = body.wave_speed();
+    const bool waits_for_sound =
+        !(implicit_pressure && std::holds_alternative<Fluid>(body.material));
+    const double c = waits_for_sound ? body.wave_speed() : 0;
     if (c > 0)
       consider(h / c, body, fmt::format("waves at {:.4g} m/s cross {}{:.4g} m", c, across, h));
     if (const auto* fluid = std::get_if<Fluid>(&body.material)) {

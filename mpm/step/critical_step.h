@@ -22,6 +22,7 @@ struct CriticalStep {
 /// the functions at an open end have a third of a cell's mass and a largest eigenvalue of
 /// 6 c^2 / h^2, where linear ones have 4. Tractions on absorbing faces lower the stable step to 0.9
 /// of this one, for either interpolation.
-CriticalStep critical_step(const BackgroundGrid& grid, const std::vector<Body>& bodies);
+CriticalStep critical_step(const BackgroundGrid& grid, const std::vector<Body>& bodies,
+                           bool implicit_pressure = false);
 
 }  // namespace zona::mpm

@@ -34,7 +34,8 @@ Solver::Solver(Model model, double step, int threads)
       threads_(threads),
       schedule_(model_.grid, std::max(threads, 1)),
       driven_nodes_(model_.bodies.size()) {
-  const CriticalStep critical = critical_step(model_.grid, model_.bodies);
+  const CriticalStep critical =
+      critical_step(model_.grid, model_.bodies, model_.numerics.implicit_pressure);
   if (!(step > 0)) throw ModelError(fmt::format("the time step must be positive, got {} s", step));
   if (step > critical.seconds) {
     throw ModelError(
@@ -43,8 +44,16 @@ Solver::Solver(Model model, double step, int threads)
   }
   if (const double pic = model_.numerics.pic; !(pic >= 0 && pic <= 1))
     throw ModelError(fmt::format("the fraction of PIC must lie in [0, 1], got {}", pic));
+  if (model_.numerics.implicit_pressure && model_.numerics.damping > 0) {
+    throw ModelError(
+        "local damping of forces needs explicit pressure: forces of an implicit one are known only "
+        "after the velocities");
+  }
   if (threads < 1) throw ModelError(fmt::format("at least one thread is needed, got {}", threads));
   for (auto& body : model_.bodies) prepare(body);
+  if (model_.numerics.implicit_pressure) {
+    pressure_.emplace(model_.grid, model_.bodies, model_.numerics.pressure_tolerance, dt_, threads);
+  }
   schedule_.share(estimated_costs());
   scatter();
 }
@@ -74,6 +83,10 @@ void Solver::step() {
   clock.mark(Stage::loads);
   advance_momentum();  // (3.33)
   clock.mark(Stage::advance);
+  if (pressure_) solve_pressure();
+  clock.mark(Stage::pressure);
+  hold_moved_nodes();
+  clock.mark(Stage::advance);
   gather_and_map_back();  // (3.34)-(3.38)
   clock.mark(Stage::gather);
   finish_nodes();  // (3.39)
@@ -102,6 +115,7 @@ void Solver::visit_state(StateVisitor& visitor) {
     visitor.visit(fmt::format("held/{}/power", h), model_.held[h].power);
   }
   for (auto& body : model_.bodies) body.visit_state(visitor);
+  if (pressure_) pressure_->visit_state(visitor);
   if (!visitor.is_restoring()) return;
   for (auto& body : model_.bodies) {
     const int outside = body.cells.build(model_.grid, body.points.position);
@@ -142,9 +156,7 @@ void Solver::scatter() {
   std::fill(model_.grid.state.begin(), model_.grid.state.end(), Lanes{});
   std::fill(model_.grid.updated.begin(), model_.grid.updated.end(), HalfLanes{});
   schedule_.in_order([this](int b) {
-    for (const auto& body : model_.bodies) {
-      if (!body.cells.brick(b).empty()) scatter_brick(body, b, model_.grid);
-    }
+    for (auto& body : model_.bodies) scatter_brick(body, b, model_.grid);
   });
 }
 
@@ -156,7 +168,7 @@ void Solver::add_loads() {
 
 void Solver::advance_momentum() {
   auto& grid = model_.grid;
-  absorb_at_faces(grid, model_.faces);
+  absorb_at_faces(grid, model_.faces, pressure_.has_value());
   const auto nodes = static_cast<long>(grid.node_count());
   const Lanes gravity{0, 0, 0, 0, model_.gravity.x(), model_.gravity.y(), model_.gravity.z(), 0};
 #pragma omp parallel for num_threads(threads_) schedule(static)
@@ -175,6 +187,32 @@ void Solver::advance_momentum() {
     node = (node + impulse) * (1 / mass);
     node[0] = mass;
   }
+}
+
+void Solver::solve_pressure() {
+  auto& grid = model_.grid;
+  NodalFlow& flow = pressure_->flow;
+  flow.take(grid, model_.faces, model_.bodies, time(), dt_, threads_);
+  for (std::size_t h = 0; h < held_nodes_.size(); ++h) {
+    const HeldNodes& held = model_.held[h];
+    for (const int node : held_nodes_[h]) {
+      const Eigen::Vector3d v = velocity_of(held, time() + dt_, grid, node);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (held.axes[axis]) flow.hold(grid, node, axis, v[axis]);
+      }
+    }
+  }
+  for (std::size_t b = 0; b < driven_nodes_.size(); ++b) {
+    const Prescribed* rigid = model_.bodies[b].prescribed();
+    for (const int node : driven_nodes_[b]) {
+      for (int axis = 0; axis < 3; ++axis) flow.hold(grid, node, axis, rigid->next.velocity[axis]);
+    }
+  }
+  flow.push(grid, pressure_->solve(model_.bodies, steps_ + 1), dt_, threads_);
+}
+
+void Solver::hold_moved_nodes() {
+  auto& grid = model_.grid;
   hold_faces(grid, model_.faces);
   for (std::size_t h = 0; h < held_nodes_.size(); ++h) {
     hold_nodes(grid, held_nodes_[h], model_.held[h], time(), dt_, model_.numerics.pic);
@@ -254,7 +292,7 @@ void Solver::index_moved_points() {
 void Solver::update_and_scatter() {
   schedule_.in_order([this](int b) {
     for (auto& body : model_.bodies) {
-      if (!body.cells.brick(b).empty())
+      if (!body.cells.brick(b).empty() || body.fluid_cells)
         record_invalid_points(body, update_and_scatter_brick(body, b, dt_, model_.grid));
     }
   });

@@ -6,6 +6,7 @@
 #include "mpm/conditions/boundary.h"
 #include "mpm/conditions/damping.h"
 #include "mpm/conditions/load.h"
+#include "mpm/pressure/implicit_pressure.h"
 #include "mpm/step/brick_schedule.h"
 #include "mpm/step/critical_step.h"
 #include "mpm/step/stage_clock.h"
@@ -20,8 +21,10 @@ namespace zona::mpm {
 
 /// Options of the scheme; the defaults are those of the source.
 struct Numerics {
-  double pic = 0;      ///< fraction of PIC in the points' velocity; 0 is (3.37), FLIP
-  double damping = 0;  ///< local non-viscous damping of the nodal forces, 0 to 1
+  double pic = 0;                    ///< fraction of PIC in the points' velocity; 0 is (3.37), FLIP
+  double damping = 0;                ///< local non-viscous damping of the nodal forces, 0 to 1
+  bool implicit_pressure = false;    ///< of the fluids: the step does not wait for sound
+  double pressure_tolerance = 1e-3;  ///< residual of the implicit pressure, see ImplicitPressure
 };
 
 /// Initial state and conditions of a simulation.
@@ -36,8 +39,9 @@ struct Model {
   Numerics numerics{};                                ///< options of the scheme
 };
 
-/// Explicit material point method, MUSL variant, the algorithm of section 3.2. Between steps the
-/// nodes hold the sums scattered by the points, (3.30)-(3.32).
+/// Explicit material point method, MUSL variant, the algorithm of section 3.2; the pressure of
+/// fluids may be implicit. Between steps the nodes hold the sums scattered by the points,
+/// (3.30)-(3.32).
 ///
 /// Results are the same to the last bit for any number of threads: bricks of one colour share no
 /// node, and every sum over points or bricks has a fixed order.
@@ -48,7 +52,8 @@ class Solver {
   Solver(Model model, double step, int threads = 1);
 
   /// Takes one step, (3.30)-(3.42). Throws PointError if a point leaves the grid or its state
-  /// becomes invalid; the solver cannot continue then.
+  /// becomes invalid, StepError if an implicit pressure does not converge; the solver cannot
+  /// continue then.
   void step();
 
   /// Visits all state between two steps that the model does not contain. A restored solver of the
@@ -67,6 +72,8 @@ class Solver {
   const Body& body(const std::string& name) const;
   /// Held nodes in the order of the model, with the reactions of the last step.
   const std::vector<HeldNodes>& held() const { return model_.held; }
+  /// The implicit pressure; null if it is explicit.
+  const ImplicitPressure* implicit_pressure() const { return pressure_ ? &*pressure_ : nullptr; }
   /// Wall time of all steps so far [s].
   const StageSeconds& stage_seconds() const { return stage_seconds_; }
 
@@ -75,6 +82,8 @@ class Solver {
   void prescribe_motion();
   void add_loads();
   void advance_momentum();
+  void solve_pressure();
+  void hold_moved_nodes();
   void gather_and_map_back();
   void finish_nodes();
   void update_unfused();
@@ -93,6 +102,7 @@ class Solver {
   Model model_;
   Loads loads_;
   std::vector<std::vector<int>> held_nodes_;  ///< per entry of Model::held
+  std::optional<ImplicitPressure> pressure_;  ///< empty if explicit
   LocalDamping damping_;
   double dt_;
   int threads_;

@@ -7,21 +7,23 @@ namespace zona::mpm {
 
 /// Stages of a step whose time is measured.
 enum class Stage {
-  loads,    ///< loads on points
-  advance,  ///< absorbing faces; momentum of the nodes (3.33)
-  gather,   ///< velocities and positions of points, momentum mapped back (3.34)-(3.38)
-  finish,   ///< velocities of the nodes (3.39)
-  update,   ///< strains and stresses that are not fused with `scatter`
-  surface,  ///< stresses and failures of membranes
-  index,    ///< points that changed cells
-  scatter,  ///< strains and stresses of the other points; sums at the nodes (3.30)-(3.32)
-  reorder   ///< sort of the storage
+  loads,     ///< loads on points
+  advance,   ///< absorbing faces; momentum of the nodes (3.33)
+  pressure,  ///< implicit pressure of the fluids
+  gather,    ///< velocities and positions of points, momentum mapped back (3.34)-(3.38)
+  finish,    ///< velocities of the nodes (3.39)
+  update,    ///< strains and stresses that are not fused with `scatter`
+  surface,   ///< stresses and failures of membranes
+  index,     ///< points that changed cells
+  scatter,   ///< strains and stresses of the other points; sums at the nodes (3.30)-(3.32)
+  reorder    ///< sort of the storage
 };
 /// Number of stages.
-inline constexpr int stage_count = 9;
+inline constexpr int stage_count = 10;
 /// Names, in the order of Stage.
 inline constexpr std::array<const char*, stage_count> stage_names{
-    "loads", "advance", "gather", "finish", "update", "surface", "index", "scatter", "reorder"};
+    "loads",  "advance", "pressure", "gather",  "finish",
+    "update", "surface", "index",    "scatter", "reorder"};
 
 /// Seconds spent in each stage.
 using StageSeconds = std::array<double, stage_count>;

@@ -9,8 +9,11 @@ namespace zona::mpm {
 // The stages of a step between points and grid, for the points of one body in one brick. They
 // select material and interpolation once per body and brick.
 
-/// Scatters mass, momentum and internal force (3.30)-(3.32) from points to nodes.
-void scatter_brick(const Body& body, int b, BackgroundGrid& grid);
+/// Scatters mass, momentum and internal force (3.30)-(3.32) from points to nodes, and adds up the
+/// points of cells for an implicit pressure.
+void scatter_brick(Body& body, int b, BackgroundGrid& grid);
+/// Forgets the sums of cells of the brick that the body's points have left.
+void clear_empty_cells(Body& body, int b, const BackgroundGrid& grid);
 
 /// Moves the points to the end of a step of dt [s] with a fraction `pic` of PIC, and maps their
 /// momentum back to the nodes (3.34)-(3.38).

@@ -28,18 +28,20 @@ inline void update_points(Material& material, const PointGroup& group,
 }
 
 /// Updates the points of one cell with the gradients at their last positions, and with their mean
-/// volumetric strain rate if `averaged`.
-template <class Shape, bool averaged, class Material>
+/// volumetric strain rate if that is averaged; that of an implicit pressure is
+/// `mean` [1/s].
+template <class Shape, Volumetric kind, class Material>
 ZONA_FLATTEN inline void update_cell(Material& material, const MaterialPoints& points,
                                      const Cell& cell, const int* begin, const int* end, double dt,
-                                     const BackgroundGrid& grid, std::vector<int>& invalid) {
+                                     double mean, const BackgroundGrid& grid,
+                                     std::vector<int>& invalid) {
   const double length = grid.characteristic_length();
   const typename Shape::CellGradient gradient(grid, cell);
-  double mean = 0;
-  if constexpr (averaged) mean = mean_divergence(material, points, cell, gradient, begin, end);
+  if constexpr (kind == Volumetric::averaged)
+    mean = mean_divergence(material, points, cell, gradient, begin, end);
   for_each_group(begin, end, [&](const PointGroup& group) {
     VelocityGradient l = gradient.at(cell.natural(group.load(points.last_position)));
-    if constexpr (averaged) l = with_divergence(l, mean);
+    if constexpr (kind != Volumetric::own) l = with_divergence(l, mean);
     update_points(material, group, l, dt, length, invalid);
   });
 }
@@ -57,9 +59,27 @@ ZONA_FLATTEN inline void update_and_scatter_cell(Material& material, const Mater
   for_each_group(begin, end, [&](const PointGroup& group) {
     const VelocityGradient l = gradient.at(cell.natural(group.load(points.last_position)));
     update_points(material, group, l, dt, length, invalid);
-    add_points<false>(material, points, group, cell, 0, sums);
+    add_points<Volumetric::own>(material, points, group, cell, 0, sums);
   });
   sums.add_to_nodes(cell, material.wave_speed(), material.shear_wave_speed(), grid);
+}
+
+/// Does the same for a cell of a fluid with implicit pressure; returns the cell's sums.
+template <class Shape>
+ZONA_FLATTEN inline FluidSums update_and_scatter_fluid_cell(
+    Fluid& fluid, const MaterialPoints& points, const Cell& cell, const int* begin, const int* end,
+    double dt, double mean, BackgroundGrid& grid, std::vector<int>& invalid) {
+  const double length = grid.characteristic_length();
+  const typename Shape::CellGradient gradient(grid, cell);
+  typename Shape::NodalSums sums(grid, cell);
+  CellSummation cell_sums;
+  for_each_group(begin, end, [&](const PointGroup& group) {
+    const VelocityGradient l = gradient.at(cell.natural(group.load(points.last_position)));
+    update_points(fluid, group, with_divergence(l, mean), dt, length, invalid);
+    add_fluid_points(fluid, points, group, cell, sums, cell_sums);
+  });
+  sums.add_to_nodes(cell, fluid.wave_speed(), fluid.shear_wave_speed(), grid);
+  return cell_sums.sums();
 }
 
 /// Does the same for a batch of points from sparsely filled cells.

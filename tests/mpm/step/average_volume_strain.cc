@@ -115,8 +115,9 @@ TEST_CASE("Averaging leaves a homogeneous rate alone and keeps deviator, spin an
 
 TEST_CASE("With averaged rates the nodal forces do the work of the stresses") {
   RandomCell random(21);
-  scatter_cell<Trilinear, true>(random.solid, random.points, random.cell, random.all.data(),
-                                random.all.data() + random.all.size(), random.grid);
+  scatter_cell<Trilinear, Volumetric::averaged>(random.solid, random.points, random.cell,
+                                                random.all.data(),
+                                                random.all.data() + random.all.size(), random.grid);
   double forces = 0, stresses = 0;
   for (std::size_t n = 0; n < random.grid.node_count(); ++n) {
     for (int i = 0; i < 3; ++i) forces += random.grid.state[n][4 + i] * random.grid.updated[n][i];
