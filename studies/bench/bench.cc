@@ -87,7 +87,9 @@ SceneResult measure(const Scene& scene, const std::vector<int>& threads, double 
   SceneResult result{scene.name, scene.description, 0, 0, {}, {}};
   for (int t : threads) {
     mpm::Model model = scene.make();
-    const double step = courant * mpm::critical_step(model.grid, model.bodies).seconds;
+    const double step = scene.step > 0
+                            ? scene.step
+                            : courant * mpm::critical_step(model.grid, model.bodies).seconds;
     mpm::Solver solver(std::move(model), step, t);
     result.points = solver.point_count();
     result.nodes = solver.grid().node_count();

@@ -80,10 +80,12 @@ mpm::Model membrane() {
 }
 
 /// The lateral piercing; domain and plate hold whole cells.
-mpm::Model piercing(const std::string& cell, const std::string& domain, const std::string& plate) {
-  return build_piercing(bundled("piercing_lateral.toml",
-                                {"grid.cell=\"" + cell + "\"", "grid.domain=\"" + domain + "\"",
-                                 "plate.side=\"" + plate + "\""}));
+mpm::Model piercing(const std::string& cell, const std::string& domain, const std::string& plate,
+                    const std::string& pressure = "explicit") {
+  return build_piercing(
+      bundled("piercing_lateral.toml",
+              {"grid.cell=\"" + cell + "\"", "grid.domain=\"" + domain + "\"",
+               "plate.side=\"" + plate + "\"", "numerics.pressure=\"" + pressure + "\""}));
 }
 
 }  // namespace
@@ -102,6 +104,10 @@ const std::vector<Scene>& scenes() {
        [] { return piercing("5 um", "140 um", "70 um"); }},
       {"piercing_4um", "the lateral piercing, cells of 4 um", true,
        [] { return piercing("4 um", "128 um", "72 um"); }},
+      {"implicit_6um", "the lateral piercing with implicit pressure, cells of 6 um", true,
+       [] { return piercing("6 um", "150 um", "72 um", "implicit"); }, 3.5e-7},
+      {"implicit_4um", "the lateral piercing with implicit pressure, cells of 4 um", true,
+       [] { return piercing("4 um", "128 um", "72 um", "implicit"); }, 2.3e-7},
       {"piercing_3um", "the lateral piercing, cells of 3 um", false,
        [] { return piercing("3 um", "126 um", "72 um"); }},
       {"piercing_2.5um", "the lateral piercing, cells of 2.5 um", false,

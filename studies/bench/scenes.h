@@ -14,6 +14,7 @@ struct Scene {
   std::string description;
   bool by_default;  ///< without being named
   std::function<mpm::Model()> make;
+  double step = 0;  ///< [s]; 0: a part of the critical one
 };
 
 const std::vector<Scene>& scenes();

@@ -15,7 +15,7 @@ extern const char* const kInterpolationText;
 extern const char* const kAverageVolumeText;
 extern const char* const kEnergyIncrementText;
 
-/// Keys pic and damping of mpm::Numerics in [numerics], which must be open.
-void declare_pic_and_damping(Schema& schema);
+/// Keys of mpm::Numerics in [numerics], which must be open.
+void declare_numerics(Schema& schema);
 
 }  // namespace zona::studies

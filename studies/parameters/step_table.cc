@@ -13,6 +13,11 @@ void declare_step(Schema& schema, const std::string& limit, const std::string& n
       .in("(0, 1]")
       .doc(
           "Fraction of the critical step, cell / wave speed, that an \"auto\" step takes at most.");
+  keys.number("travel", &StepChoice::travel, 0.05)
+      .in("(0, 0.5]")
+      .doc(
+          "With implicit pressure: part of a cell that the fastest prescribed motion travels in an "
+          "\"auto\" step at most.");
 }
 
 }  // namespace zona::studies

@@ -11,10 +11,11 @@ namespace zona::studies {
 struct StepChoice {
   std::optional<double> step;  ///< [s]; empty: courant times the critical step
   double courant;              ///< fraction of the critical step [-]
+  double travel;               ///< of prescribed motion in a step with implicit pressure [cells]
 };
 
-/// Keys step and courant of [time], which must be open. `limit` is the interval of allowed steps
-/// [s].
+/// Keys step, courant and travel of [time], which must be open. `limit` is the interval of allowed
+/// steps [s].
 void declare_step(Schema& schema, const std::string& limit, const std::string& note);
 
 }  // namespace zona::studies

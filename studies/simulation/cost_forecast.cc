@@ -110,7 +110,7 @@ CostForecast forecast_cost(mpm::Model model, double step, double end, const Outp
 std::string forecast_text(const std::function<CostForecast()>& forecast, int threads) {
   try {
     return described(forecast(), threads);
-  } catch (const mpm::PointError& error) {
+  } catch (const mpm::StepError& error) {
     return fmt::format("warning: it fails within its first steps: {}\n", error.what());
   }
 }

@@ -19,13 +19,13 @@ struct CostForecast {
   double tried;  ///< time of the steps that the forecast rests on [s]
 };
 
-/// Steps a model for up to a second. `step` and `end` in s. Throws mpm::PointError when a point
+/// Steps a model for up to a second. `step` and `end` in s. Throws mpm::StepError when a point
 /// fails in these steps.
 CostForecast forecast_cost(mpm::Model model, double step, double end, const OutputPlan& plan,
                            int threads);
 
 /// A forecast in a line or two, with a warning where memory will not suffice, or where `forecast`
-/// throws mpm::PointError.
+/// throws mpm::StepError.
 std::string forecast_text(const std::function<CostForecast()>& forecast, int threads);
 
 }  // namespace zona::studies

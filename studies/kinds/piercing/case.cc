@@ -180,6 +180,7 @@ PiercingCase make_piercing_case(const Configuration& study, const beam::Fluid& f
   const TimeStep step = time_step(study, model, c.end);
   c.critical_step = step.critical;
   c.step = step.seconds;
+  c.step_bound_by = step.binding;
   return c;
 }
 

@@ -16,9 +16,10 @@ namespace zona::studies {
 struct PiercingCase {
   beam::Fluid fluid;  ///< its name, or its density, as the user wrote it
   PiercingSetup setup;
-  double critical_step = 0;  ///< [s]
-  double step = 0;           ///< [s]
-  double end = 0;            ///< [s]
+  double critical_step = 0;   ///< [s]
+  std::string step_bound_by;  ///< what decides the step, for a message
+  double step = 0;            ///< [s]
+  double end = 0;             ///< [s]
   /// The tip's history that drives the pipette, of a beam or a trace, and where its window starts
   /// [s]. After an oblique pulse it is that across the pipette, with another one along it.
   std::optional<beam::TipHistory> tip_history;

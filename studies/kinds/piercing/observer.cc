@@ -107,6 +107,8 @@ void PiercingObserver::add_results(nlohmann::json& results) const {
   results["path_after_failure"] = path_after_failure_;
   results["largest_pipette_force"] = largest_force_;
   results["pipette_work"] = pipette_work_;
+  if (const mpm::ImplicitPressure* pressure = solver_.implicit_pressure())
+    results["pressure_iterations"] = pressure->mean_iterations();
   results["time_step"] = case_.step;
   results["critical_time_step"] = case_.critical_step;
 }

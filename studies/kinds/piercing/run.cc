@@ -55,12 +55,13 @@ StudyCost piercing_cost(const PiercingCase& piercing) {
     parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", body.name, body.points.size());
   }
   const auto steps = static_cast<double>(step_count(piercing.end, piercing.step));
-  return {fmt::format(
-              "{:.0f} points ({}); {:.0f} steps of {:.3g} ns, {:.2f} of the critical step; {:.3g} "
-              "point-steps",
-              points, parts, steps, piercing.step * 1e9, piercing.step / piercing.critical_step,
-              points * steps),
-          points * steps};
+  return {
+      fmt::format(
+          "{:.0f} points ({}); {:.0f} steps of {:.3g} ns, {:.2f} of the critical step, bound by "
+          "{}; {:.3g} point-steps",
+          points, parts, steps, piercing.step * 1e9, piercing.step / piercing.critical_step,
+          piercing.step_bound_by, points * steps),
+      points * steps};
 }
 
 }  // namespace zona::studies

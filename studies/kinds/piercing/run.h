@@ -10,7 +10,7 @@ namespace zona::studies {
 
 /// Runs one piercing and writes history.csv, fields.h5, fields.xdmf and, for a tip history,
 /// tip.csv. `results` becomes its entry of summary.json, also when the run was interrupted or a
-/// point failed (mpm::PointError passes through): it then covers what was computed.
+/// step failed (mpm::StepError passes through): it then covers what was computed.
 void run_piercing(const PiercingCase& piercing, const SimulationContext& context,
                   nlohmann::json& results);
 

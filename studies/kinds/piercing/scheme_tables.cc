@@ -44,7 +44,7 @@ void declare_scheme(Schema& schema) {
       .doc(kAverageVolumeText);
   keys.choice("energy_increment", &Scheme::energy_increment, energy_increments())
       .doc(kEnergyIncrementText);
-  declare_pic_and_damping(schema);
+  declare_numerics(schema);
 }
 
 void declare_piercing_run(Schema& schema) {

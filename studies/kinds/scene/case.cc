@@ -71,8 +71,10 @@ StudyCost scene_cost(const SceneCase& scene) {
   }
   const auto steps = static_cast<double>(step_count(scene.end, scene.step.seconds));
   text += fmt::format(
-      "{:.0f} points; {:.0f} steps of {:.4g} s, {:.2f} of the critical step; {:.3g} point-steps",
-      points, steps, scene.step.seconds, scene.step.seconds / scene.step.critical, points * steps);
+      "{:.0f} points; {:.0f} steps of {:.4g} s, {:.2f} of the critical step, bound by {}; {:.3g} "
+      "point-steps",
+      points, steps, scene.step.seconds, scene.step.seconds / scene.step.critical,
+      scene.step.binding, points * steps);
   return {text, points * steps};
 }
 

@@ -134,7 +134,10 @@ void SceneObserver::add_results(nlohmann::json& results) const {
                                          {"work", held_[h].work}};
   }
   results["time_step"] = step_.seconds;
-  results["critical_time_step"] = step_.critical;
+  if (const mpm::ImplicitPressure* pressure = solver_.implicit_pressure())
+    results["pressure_iterations"] = pressure->mean_iterations();
+  results["critical_time_step"] =
+      std::isfinite(step_.critical) ? nlohmann::json(step_.critical) : nlohmann::json();
 }
 
 }  // namespace zona::studies

@@ -7,7 +7,7 @@ namespace zona::studies {
 
 /// Runs a scene, whose model it takes, and writes history.csv, profiles.csv, sections.csv,
 /// fields.h5 and fields.xdmf into the run directory. The session's results are set also when the
-/// run was interrupted or a point failed (mpm::PointError passes through): they then cover what was
+/// run was interrupted or a step failed (mpm::StepError passes through): they then cover what was
 /// computed.
 void run_scene(SceneCase& scene, Session& session);
 

@@ -25,7 +25,7 @@ Schema make_schema() {
   declare_gravity(schema);
   declare_scene_time(schema);
   schema.section("numerics", "Choices of the scheme; the defaults are the source's.");
-  declare_pic_and_damping(schema);
+  declare_numerics(schema);
   declare_bodies(schema);
   declare_holds(schema);
   declare_loads(schema);

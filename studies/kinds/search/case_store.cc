@@ -106,7 +106,7 @@ CaseStore::State CaseStore::compute(const Configuration& piercing, int threads, 
                  {piercing, plan, checkpoint_plan(piercing, true), folder, threads, *log,
                   session.progress, part},
                  results);
-  } catch (const mpm::PointError& error) {
+  } catch (const mpm::StepError& error) {
     results["failure"] = error.what();
     log->error(error.what());
   }

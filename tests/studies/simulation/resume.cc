@@ -164,6 +164,10 @@ TEST_CASE("a run that is killed repeatedly gives the same bits") {
   std::string study = piercing;
   int kills = 3;
   SECTION("a piercing") {}
+  SECTION("a piercing with implicit pressure") {
+    study =
+        piercing_until("40 us") + " --set 'numerics.pressure=\"implicit\"' --set time.travel=0.01";
+  }
   SECTION("a comparison") {
     study = comparison;
     kills = 4;
