@@ -188,7 +188,7 @@ void PressureSystem::set_preconditioner() {
 /// fluids must stand. Returns the product of both.
 double PressureSystem::precondition() {
   multigrid_.add_correction(summed_residual_, long_waves_);
-  return loop_.sum(0, [&](const Chunk& chunk) {
+  return loop_.sum(1, [&](const Chunk& chunk) {
     double product = 0;
     for_occupied(chunk, [&](Work& work, const Fluid&) {
       float* z = work.preconditioned.data();
